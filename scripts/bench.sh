@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds the benchmarks and runs them: each figure beside its target. Fails if one is not met. Arguments
-# go to Google Benchmark (--benchmark_filter=Lidar). docs/evidence/status.md says what the figures were.
+# go to Google Benchmark (--benchmark_filter=Lidar). docs/evidence/speed.md has the figures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

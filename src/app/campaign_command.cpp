@@ -41,7 +41,7 @@ void ShowProgress(const PoolProgress& progress) {
              progress.left_s > 0 ? ", about " + DurationText(progress.left_s) + " left" : "");
 }
 
-/// Prints the state; status 1 unless all episodes are there.
+/// Prints the state. Exits with status 1 unless all episodes are complete.
 void PrintState(const Plan& plan, const CampaignState& state) {
   fmt::print("{}", StatusText(plan, state));
   if (!state.failed.empty() || !state.missing.empty()) throw CLI::RuntimeError(kNotAllDone);
@@ -65,7 +65,7 @@ std::string EngineName(Engine engine) {
   return "";
 }
 
-/// An option that some engines alone have.
+/// An option that only some engines support.
 struct EngineOption {
   CLI::Option* option = nullptr;
   std::vector<Engine> engines;
@@ -80,7 +80,7 @@ struct RunArguments {
   Engine engine = Engine::kPool;
   std::filesystem::path hosts;
   SlurmOptions slurm;
-  std::string image, volume;  ///< the volume as CLAIM:PATH
+  std::string image, volume;  ///< the volume has the form CLAIM:PATH
   std::vector<EngineOption> of_engines;
 };
 

@@ -20,10 +20,10 @@
 namespace tera {
 namespace {
 
-/// Rounds to tenths of a degree and removes a zero's minus sign.
+/// Rounds to tenths of a degree. The sum turns -0 into 0.
 double Tenths(double angle_deg) { return std::round(10 * angle_deg) / 10 + 0.0; }
 
-/// Mass in whole kilogrammes from 100 kg.
+/// Mass text; from 100 kg on, in whole kilograms.
 std::string ShownMass(double mass_kg) {
   return mass_kg < 100 ? fmt::format("{:.3g}", mass_kg) : fmt::format("{:.0f}", mass_kg);
 }
@@ -53,7 +53,7 @@ void PrintMachine(const ScenarioMachine& machine) {
   }
 }
 
-/// Prints mass and size of each link, with the remarks of the machine's reader.
+/// Prints mass and size of each link, and the remarks of the machine file's reader.
 void PrintLinks(const ScenarioMachine& machine, const SceneModel& scene) {
   fmt::print("  {:<24} {:>10}  {}\n", "link", "mass kg", "size m");
   for (const LinkSize& link : SizesOf(machine, scene)) {
@@ -74,7 +74,7 @@ void PrintDoubts(const ScenarioMachine& machine, const SceneModel& scene) {
 
 constexpr int kMostTiles = 400;
 
-/// Loads each episode, prints its draws and passes it to `visit`.
+/// Loads each episode, prints its draws and calls `visit`.
 template <typename Visit>
 void ForEpisodes(ScenarioOptions options, int count, const Visit& visit) {
   for (int episode = 0; episode < count; ++episode) {
@@ -88,7 +88,7 @@ void ForEpisodes(ScenarioOptions options, int count, const Visit& visit) {
   }
 }
 
-/// Loads and draws all episodes on one sheet.
+/// Renders all episodes to one contact sheet.
 void WriteSheet(const ScenarioOptions& options, int count, const std::string& file) {
   PreparePng();
   EpisodeSheet sheet;

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// The commands of `tera`, one file each. Each function adds its command to the command line; the
-/// subcommand's callback executes it. Bad input throws InputError.
+/// The commands of `tera`, one file each. A function adds its command to the command line; the
+/// command runs in a callback. Bad input throws InputError.
 
 namespace tera {
 
@@ -25,7 +25,7 @@ void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
 void AddServeCommand(CLI::App* app);
-/// `app` is the whole program, which these two commands describe.
+/// These two commands describe the whole program, `app`.
 void AddCompletionCommand(CLI::App* app);
 void AddManualCommand(CLI::App* app);
 void AddSiteCommand(CLI::App* app);

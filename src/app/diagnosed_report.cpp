@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Throws if a held-out recording is also searched.
+/// Throws InputError if a recording is used both for the search and as held-out data.
 void RequireOthers(const DiagnoseArguments& arguments) {
   for (const std::filesystem::path& further : arguments.task.held_out) {
     for (const std::filesystem::path& searched : arguments.recordings) {
@@ -40,7 +40,8 @@ void PrintPages(const std::vector<std::filesystem::path>& pages) {
 
 void ReportOne(const Scenario& scenario, const DiagnoseArguments& arguments, StageClock* clock) {
   const Recording recording(arguments.recordings.front());
-  ReportFolder report(arguments.out);  // an unwritable folder fails before the search
+  ReportFolder report(arguments.out);  // before the search, so that an unwritable folder is
+                                       // reported at once
   DiagnoseProgress bar(clock);
   const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
       scenario, recording, arguments.task,

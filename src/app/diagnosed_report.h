@@ -9,18 +9,17 @@
 
 namespace tera {
 
-/// Inputs and output folder of a diagnosis.
 struct DiagnoseArguments {
   ScenarioOptions scenario;
   std::vector<std::filesystem::path> recordings;  ///< at least one
   std::filesystem::path out;
-  std::optional<std::filesystem::path> library;  ///< library of candidates
+  std::optional<std::filesystem::path> library;  ///< library of candidate mechanisms
   DiagnosisTask task = {.threads = HostOptions().threads};
-  bool profile = false;  ///< report the time of each stage
+  bool profile = false;  ///< print the time of each stage
 };
 
-/// Writes the report of a diagnosis and prints its sentences, with progress on standard error.
-/// Several recordings yield one report each and a joint report. Throws InputError.
+/// Runs a diagnosis, writes its report, and prints its conclusions; progress goes to standard
+/// error. Several recordings give one report each and a joint report. Throws InputError.
 void ReportDiagnosis(DiagnoseArguments arguments);
 
 }  // namespace tera

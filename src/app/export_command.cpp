@@ -24,7 +24,7 @@
 namespace tera {
 namespace {
 
-/// Accepts "2026-05-01T12:00:00Z", a date and time of the years 1970 to 2037.
+/// Accepts a UTC time like "2026-05-01T12:00:00Z" in the years 1970 to 2037.
 CLI::Validator IsUtcTime() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
@@ -36,7 +36,7 @@ CLI::Validator IsUtcTime() {
       "UTC");
 }
 
-/// Nanoseconds since 1970-01-01 00:00:00 of a text that IsUtcTime accepts.
+/// Converts a text accepted by IsUtcTime to nanoseconds since 1970-01-01 00:00:00.
 TimeNs UtcTime(const std::string& text) {
   const std::optional<TimeNs> time_ns = ParseUtc(text);
   TERA_CHECK(time_ns, text);
@@ -45,10 +45,10 @@ TimeNs UtcTime(const std::string& text) {
 
 constexpr std::int64_t kBytesPerMb = 1'000'000;
 constexpr int kMostShardMb = 1'000'000;
-/// Default limit of threads: each holds two frames, some 50 MB for a large rig.
+/// Default limit of threads. A thread holds two frames, about 50 MB for a large rig.
 constexpr unsigned kMostByItself = 8;
 
-/// Between progress lines without a terminal.
+/// Interval between progress lines if the output is not a terminal.
 constexpr double kExportLine_s = 10;
 
 struct ExportArguments {
@@ -108,7 +108,6 @@ void RunExport(const ExportArguments& arguments) {
              report.absent.count, report.absent.first.string());
 }
 
-/// Adds options that only bags use.
 void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--storage", options->storage, "Of rosbag2: mcap (the default) or sqlite3")
@@ -125,7 +124,7 @@ void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
                  "Of bags, clouds, nuscenes and formats of one lidar: ");
 }
 
-/// Adds options of formats with one camera and one lidar.
+/// Adds options for formats with one camera and one lidar.
 void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
@@ -156,7 +155,7 @@ void AddNuscenesOptions(CLI::App* command, ExportArguments* arguments) {
       ->check(CLI::Range(1e-3, kMostKeyFrames_hz));
 }
 
-/// Throws if an option has no effect.
+/// Throws InputError for an option that has no effect on the chosen format.
 void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) {
   const auto require = [&](const std::string& option, bool is_used, const std::string& of) {
     if (command.count(option) == 0 || is_used) return;

@@ -22,7 +22,8 @@ struct GenerateArguments {
   RunOptions run;
 };
 
-/// Runs before the scenario is read, because a changed file may make the scenario unreadable.
+/// Checks the inputs of a stopped run before the scenario is read, because a changed file may make
+/// the scenario unreadable.
 void RequireInputsOfStopped(const std::filesystem::path& out) {
   const std::filesystem::path stopped = IncompleteOf(out);
   RequireInputs(LoadInputs(stopped), {},

@@ -67,7 +67,7 @@ void PrintNotes(const ImportedChannel& channel) {
   for (const std::string& remark : channel.remarks) fmt::print("  {}\n", remark);
 }
 
-/// Prints clock differences and the mapping entries that would correct them.
+/// Prints clock differences, and the mapping entries that correct them.
 void PrintClocks(const ImportReport& report) {
   for (const ClockDifference& d : report.clocks) {
     fmt::print(

@@ -28,7 +28,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSearchLine_s = 30;  ///< between progress lines without a terminal
+constexpr double kSearchLine_s = 30;  ///< interval between progress lines if the output is not a
+                                      ///< terminal
 
 struct EvaluateArguments {
   fs::path cycle, study, out;
@@ -50,12 +51,10 @@ std::vector<Layout> LoadLayouts(const EvaluateArguments& arguments, const Cycle&
   for (const fs::path& rig : arguments.rigs) {
     layouts.push_back(LoadLayout(rig, cycle, machine));
     if (!names.insert(layouts.back().name).second) {
-      throw InputError(
-          rig.string(),
-          {FaultKind::kRepeated,
-           fmt::format(
-               "another rig is called '{}' too, which its report is named after; rename one",
-               layouts.back().name)});
+      throw InputError(rig.string(), {FaultKind::kRepeated,
+                                      fmt::format("another rig has the name '{}' too, and each "
+                                                  "report has the name of its rig; rename one",
+                                                  layouts.back().name)});
     }
   }
   return layouts;
@@ -93,14 +92,14 @@ struct CompareArguments {
   fs::path out;
 };
 
-/// Folder of a report; `report` may also be its layout.json.
+/// Folder of a report. `report` is the folder or its layout.json.
 fs::path FolderOf(const fs::path& report) {
   const fs::path plain = report.lexically_normal();
   const fs::path folder = plain.filename() == "layout.json" ? plain.parent_path() : plain;
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Reads the reports. Reports of equal name get the names of their folders.
+/// Reads the reports. Reports with equal names are named after their folders.
 std::vector<LayoutReport> ReadReports(const std::vector<fs::path>& files) {
   std::vector<LayoutReport> reports;
   std::map<std::string, int> named;
@@ -134,18 +133,19 @@ void RunCompare(const CompareArguments& arguments) {
 
 void AddEvaluate(CLI::App* app) {
   auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command = app->add_subcommand("evaluate", "What rigs see over a work cycle");
+  CLI::App* command =
+      app->add_subcommand("evaluate", "Evaluate the coverage of rigs over a work cycle");
   command
       ->add_option("CYCLE", arguments->cycle,
                    "Dataset of `tera generate --keep-state`, or a scenario, which is simulated")
       ->required();
   command->add_option("RIG", arguments->rigs, "Rig files (YAML)")->required();
   command->add_option("--study", arguments->study,
-                      "What is asked (YAML): zones, heights, people; without it what most ask");
+                      "Study (YAML): zones, heights, people; without it the default study");
   command->add_option("--out", arguments->out, "Folder of the reports; new or empty")->required();
   command->add_flag(
       "--strict", arguments->strict,
-      "A mount inside the machine, or from where next to nothing is seen, is an error");
+      "Treat a mount inside the machine, or one that sees next to nothing, as an error");
   AddMovedOption(command, &arguments->moved);
   AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunEvaluate(*arguments); });
@@ -153,12 +153,11 @@ void AddEvaluate(CLI::App* app) {
 
 void AddCompare(CLI::App* app) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app->add_subcommand("compare", "Each layout against the first");
+  CLI::App* command = app->add_subcommand("compare", "Compare each layout with the first");
   command
-      ->add_option(
-          "REPORT", arguments->reports,
-          "Two or more: folders of single layouts that `tera layout evaluate` wrote, or their "
-          "layout.json, of one cycle; the others are held against the first")
+      ->add_option("REPORT", arguments->reports,
+                   "Two or more layouts of one cycle: folders that `tera layout evaluate` wrote, "
+                   "or their layout.json; the first is the reference")
       ->required()
       ->expected(-2);  // at least two
   command->add_option("--out", arguments->out, "Folder of the comparison; new or empty")
@@ -185,21 +184,21 @@ void RunOptimise(const OptimiseArguments& arguments) {
                   std::fflush(stdout);
                 }});
   for (const std::string& warning : result.warnings) fmt::print("warning: {}\n", warning);
-  fmt::print("{} of which no other is better in everything: {}\n", LayoutCount(result.front.size()),
+  fmt::print("{} on the Pareto front: {}\n", LayoutCount(result.front.size()),
              (arguments.out / "front").string());
   fmt::print("report: {}\n", (arguments.out / "search.html").string());
 }
 
 void AddOptimise(CLI::App* app) {
   auto arguments = std::make_shared<OptimiseArguments>();
-  CLI::App* command = app->add_subcommand("optimise", "Search for layouts that see more for less");
+  CLI::App* command =
+      app->add_subcommand("optimise", "Search for layouts with more coverage at less cost");
   command
       ->add_option("SEARCH", arguments->search,
-                   "What may be mounted where, and what is to be "
-                   "small or large (YAML)")
+                   "Search file (YAML): sensors, mounts, limits and objectives")
       ->required();
   command->add_option("--out", arguments->out, "Folder of the result; new or empty")->required();
-  command->add_flag("--resume", arguments->resume, "Go on with a search that was stopped");
+  command->add_flag("--resume", arguments->resume, "Resume an interrupted search");
   AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunOptimise(*arguments); });
 }
@@ -207,7 +206,7 @@ void AddOptimise(CLI::App* app) {
 }  // namespace
 
 void AddLayoutCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("layout", "Where should the sensors go?");
+  CLI::App* command = app->add_subcommand("layout", "Evaluate, compare and search sensor layouts");
   command->require_subcommand(1);
   AddEvaluate(command);
   AddCompare(command);

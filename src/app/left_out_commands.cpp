@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// Commands of a build for the quickstart alone, without the libraries that they call.
+// Placeholders for commands whose libraries are missing in a quickstart build.
 
 namespace tera {
 namespace {
@@ -26,7 +26,9 @@ void AddCampaignCommand(CLI::App* app) {
 void AddDiagnoseCommand(CLI::App* app) {
   AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
 }
-void AddLayoutCommand(CLI::App* app) { AddLeftOut("layout", "Where should the sensors go?", app); }
+void AddLayoutCommand(CLI::App* app) {
+  AddLeftOut("layout", "Evaluate, compare and search sensor layouts", app);
+}
 void AddRegisterCommand(CLI::App* app) { AddLeftOut("register", "Align two clouds", app); }
 void AddResenseCommand(CLI::App* app) {
   AddLeftOut("resense", "Measure a recorded scene with another rig", app);

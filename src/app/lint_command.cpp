@@ -19,7 +19,7 @@ namespace tera {
 namespace {
 
 constexpr int kFound = 1;
-/// Upper bound of the frame stride.
+/// Upper limit of the option that skips frames.
 constexpr int kMostSpread = 1'000'000;
 
 struct LintArguments {
@@ -36,7 +36,7 @@ void WriteFiles(const LintArguments& arguments, const LintReport& report) {
   }
 }
 
-/// Hashes certify a dataset without errors, so a faulty dataset gets none.
+/// A dataset with errors gets no hashes, because hashes certify a dataset without errors.
 void WriteHashes(const LintArguments& arguments, bool found_errors) {
   if (found_errors) {
     fmt::print("{}: not written, since there are errors\n", kFrameHashesName);
@@ -45,7 +45,7 @@ void WriteHashes(const LintArguments& arguments, bool found_errors) {
   fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
 }
 
-/// Options with a reader of the dataset's ground heights.
+/// Lint options with a function that reads ground heights of the dataset.
 LintOptions LintOptionsOf(const LintArguments& arguments) {
   const ReadGround read = ReaderOfGround(Recording(arguments.dataset).info());
   const auto lowest_m = [read](const std::filesystem::path& raster) {

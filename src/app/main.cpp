@@ -5,11 +5,12 @@
 
 namespace {
 
-/// Refers to the separate program tera-prove, whose simulators serve only the evaluation of TERA.
+/// Refers the user to the program tera-prove. Its simulators serve only to evaluate TERA, so they
+/// are in a separate program.
 void AddProveCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand("prove", "Is the program tera-prove");
-  command->group("")->allow_extras();  // hidden from help and manual pages
-  command->set_help_flag("");          // --help gets the same answer
+  command->group("")->allow_extras();  // hides the command in help and manual pages
+  command->set_help_flag("");          // `tera prove --help` prints the same text
   command->callback([] {
     throw tera::InputError(
         "tera prove",

@@ -14,7 +14,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/files/whole_folder.h"
 
-// Commands for manual pages and shell completion.
+// The commands for manual pages and shell completion.
 
 namespace tera {
 namespace {

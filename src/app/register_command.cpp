@@ -19,7 +19,7 @@
 namespace tera {
 namespace {
 
-// Exit statuses of a registration without a complete pose.
+// Exit statuses of registrations that give no complete pose.
 constexpr int kNoOverlap = 3, kNotConverged = 4, kOpen = 5;
 
 struct RegisterArguments {

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// `tera ros2` of a build without Cyclone DDS.
+// Replaces `tera ros2` in a build without Cyclone DDS.
 
 namespace tera {
 

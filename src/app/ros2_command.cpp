@@ -28,8 +28,8 @@ struct Ros2Arguments {
   ros::LiveRosOptions options;
 };
 
-/// Turns the first Ctrl-C and the first SIGTERM into stop requests during its lifetime. A second
-/// signal of the same kind ends the program.
+/// During its lifetime, the first SIGINT and the first SIGTERM only request a stop. A second signal
+/// of the same kind ends the program.
 class StopRequest {
  public:
   StopRequest() {
@@ -56,7 +56,7 @@ std::string_view Environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// ROS 2's default domain: ROS_DOMAIN_ID, otherwise 0.
+/// Default domain of ROS 2: ROS_DOMAIN_ID, or 0 if it is not set.
 int DomainOfEnvironment() {
   const std::string_view text = Environment("ROS_DOMAIN_ID");
   if (text.empty()) return 0;
@@ -106,7 +106,7 @@ void RunRos2(const Ros2Arguments& arguments) {
                              loaded.resolved_yaml, options));
 }
 
-/// Adds the options that relate simulated time to wall time.
+/// Adds options for the ratio of simulated time to wall time.
 void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
   command
       ->add_option("--pace", options->pace,

@@ -20,7 +20,7 @@ int Parse(CLI::App* app, int argc, char** argv) {
   try {
     app->parse(argc, argv);
   } catch (const CLI::RuntimeError& e) {
-    return e.get_exit_code();  // a command with a negative answer
+    return e.get_exit_code();  // a command with a negative result
   } catch (const CLI::ParseError& e) {
     const std::string unknown = UnknownArgument(*app);
     if (e.get_exit_code() == kSuccess || unknown.empty()) {

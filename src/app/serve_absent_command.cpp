@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// `tera serve` of a build without gRPC.
+// Replaces `tera serve` in a build without gRPC.
 
 namespace tera {
 

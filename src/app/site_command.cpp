@@ -25,7 +25,7 @@ struct SiteArguments {
   SiteRequest request;
 };
 
-/// A scenario's name from a file name; other characters than letters, digits, _ and - become _.
+/// Scenario name from a file name. Characters other than letters, digits, _ and - become _.
 std::string ScenarioName(const fs::path& file) {
   std::string name = file.stem().string();
   for (char& c : name) {

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// `tera site` and `tera register` of a build without PCL.
+// Replaces `tera site` and `tera register` in a build without PCL.
 
 namespace tera {
 namespace {

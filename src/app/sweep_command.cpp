@@ -23,8 +23,8 @@ struct SweepArguments {
   int processes = HostOptions().threads;
 };
 
-/// Returns false if the first episode fails, which is counted as for any other, or if another
-/// worker is making it. Throws InputError for what would fail all.
+/// Runs the first episode. Returns false if it fails or another worker runs it. Throws InputError
+/// for a fault that would affect every episode.
 bool MakeFirst(const Plan& plan) {
   try {
     return RunEpisode(plan, 0, {.threads = 1});
@@ -34,8 +34,8 @@ bool MakeFirst(const Plan& plan) {
   }
 }
 
-/// The first outcome is taken before the other episodes are made: a faulty command or figure costs
-/// one episode.
+/// The outcome of the first episode is determined before other episodes run, so that a faulty
+/// command or figure costs only one episode.
 void RunSweep(const SweepArguments& arguments) {
   const Plan plan = MakePlan(arguments.campaign, arguments.out);
   if (!plan.campaign.outcome || plan.campaign.factors.empty()) {

@@ -17,7 +17,7 @@
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/write_report.h"
 
-// The program `tera-prove`: generates recordings of other simulators and scores their diagnoses.
+// The program `tera-prove` generates recordings with other simulators and scores their diagnoses.
 
 namespace tera {
 namespace {

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kObstacle_hz = 10;  ///< rate of the poses of moving objects
+constexpr double kObstacle_hz = 10;  ///< sampling rate of the poses of moving objects
 
 std::vector<float> Flat(const std::vector<Eigen::Vector3f>& points) {
   std::vector<float> numbers;
@@ -89,7 +89,7 @@ StageMachine StageMachineOf(const MachinePlacement& placement, int first_body) {
   return machine;
 }
 
-/// Poses of a dynamic obstacle in a recording, at kObstacle_hz; its start if it has none.
+/// Poses of a moving obstacle, sampled at kObstacle_hz. Only its initial pose if none are recorded.
 std::vector<std::pair<double, Pose>> TrackOf(const Recording& recording,
                                              const ScenarioObstacle& obstacle,
                                              const TerrainSurface& ground) {
@@ -105,7 +105,7 @@ std::vector<std::pair<double, Pose>> TrackOf(const Recording& recording,
   return track;
 }
 
-/// Adds an obstacle's bodies: trunk, bed and gate, wheels, limbs.
+/// Adds the bodies of an obstacle: body, bed and gate, wheels, limbs.
 void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle,
                  const Recording& recording, Stage* stage) {
   if (obstacle.dynamic) {

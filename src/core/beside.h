@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// Starts `work` on its own thread. get() on the returned future waits for the result or rethrows
-/// the exception. If the system provides no thread, get() runs the work in the calling thread.
+/// Starts `work` on a separate thread. get() of the returned future waits for the result and
+/// rethrows an exception of `work`. If the system provides no thread, get() itself runs `work`.
 template <typename Work>
 auto Beside(Work work) {
   return std::async(std::launch::async | std::launch::deferred, std::move(work));

@@ -4,8 +4,9 @@
 
 #include <string>
 
-/// `TERA_CHECK(condition, values...)` checks internal invariants in every build. A failure is a bug
-/// in TERA, never bad input. It throws InternalError with the condition, the values and the place.
+/// `TERA_CHECK(condition, values...)` checks an internal invariant, also in release builds. A
+/// failure is a bug in TERA, never bad input. It throws InternalError with the condition, the
+/// values, file and line.
 
 namespace tera {
 

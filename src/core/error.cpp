@@ -12,7 +12,7 @@ std::string MessageOf(const std::vector<InputFault>& faults) {
   return message;
 }
 
-/// Prepends `place`. An existing place of the fault follows after a colon.
+/// Adds `place` in front of the place that the fault has, separated by a colon.
 InputFault At(std::string place, InputFault fault) {
   if (!fault.place.empty()) place += ": " + fault.place;
   fault.place = std::move(place);

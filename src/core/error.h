@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-/// Errors have three kinds. InputError reports bad external input; InternalError reports a bug in
-/// TERA (check.h). "No measurement" is data and never an exception.
+/// Kinds of errors. InputError reports bad external input. InternalError reports a bug in TERA
+/// (check.h). A sensor without a measurement is a normal value, never an exception.
 
 namespace tera {
 
 enum class FaultKind {
   kMissing,       ///< a required key, column, part of a file or option is absent
-  kUnknown,       ///< a key, column or option that this place does not define
+  kUnknown,       ///< a key, column or option that is not defined here
   kNoSuchName,    ///< the named object or choice does not exist
   kRepeated,      ///< a key, name or value occurs twice
   kMistyped,      ///< the value has the wrong type or shape
@@ -24,15 +24,15 @@ enum class FaultKind {
   kUnsupported,   ///< well-formed, but unsupported by this program, build or computer
 };
 
-/// One input fault. Programs read the kind and the place; people read the finding.
+/// One fault of the input. Programs evaluate kind and place; people read the finding.
 struct InputFault {
   FaultKind kind = FaultKind::kInconsistent;
-  std::string finding;  ///< found value, needed value and remedy
+  std::string finding;  ///< the found value, the required value and the remedy
   std::string place;    ///< file:line:column and key path, a file or an option; may be empty
 
   InputFault(FaultKind kind, std::string finding, std::string place = "")
       : kind(kind), finding(std::move(finding)), place(std::move(place)) {}
-  // A finding without a place, for values that contradict each other.
+  // A finding without a place, about values that contradict each other.
   InputFault(std::string finding) : finding(std::move(finding)) {}  // NOLINT(*-explicit-*)
   InputFault(const char* finding) : finding(finding) {}             // NOLINT(*-explicit-*)
 
@@ -41,25 +41,26 @@ struct InputFault {
   bool operator==(const InputFault&) const = default;
 };
 
-/// Bad external input: scenario, asset, recording, driver or disk. The message has one line per
-/// fault with place, found value, needed value and remedy. Only main catches this error; it prints
-/// the message and exits with status 2.
+/// Bad external input: a scenario, asset, recording, driver or disk. The message has one line per
+/// fault, with place, found value, required value and remedy. Only main catches this error; it
+/// prints the message and exits with status 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message) : InputError(std::vector<InputFault>{message}) {}
   InputError(std::string place, InputFault fault);
-  /// Needs at least one fault.
+  /// `faults` must not be empty.
   explicit InputError(std::vector<InputFault> faults);
 
   const std::vector<InputFault>& faults() const { return faults_; }
-  /// All faults as one finding. The caller adds the place that names the faulty object.
+  /// Joins all faults into one finding without a place. The caller adds the place of the faulty
+  /// object.
   InputFault AsFinding() const { return {faults_.front().kind, what()}; }
 
  private:
   std::vector<InputFault> faults_;
 };
 
-/// A violated invariant of TERA.
+/// A violated invariant, which is a bug in TERA.
 class InternalError : public std::logic_error {
  public:
   explicit InternalError(const std::string& message) : std::logic_error(message) {}

@@ -11,14 +11,14 @@
 
 namespace tera {
 
-/// True in a thread that shares the jobs of an InParallel call with other threads.
+/// True in a thread that runs jobs of an InParallel call together with other threads.
 inline thread_local bool shares_jobs = false;
 
-/// Number of threads in running InParallel calls that have no job left while other threads still
-/// work.
+/// Number of idle threads: threads of a running InParallel call that have no job left while other
+/// threads of the call still work.
 inline std::atomic<int> spare_threads = 0;
 
-/// Borrows up to `most` spare threads for the lifetime of the object.
+/// Reserves up to `most` idle threads for the lifetime of the object.
 class BorrowedThreads {
  public:
   explicit BorrowedThreads(std::size_t most) {
@@ -37,8 +37,8 @@ class BorrowedThreads {
 };
 
 /// Runs `jobs` jobs and returns their results in job order, independent of the number of threads.
-/// If jobs throw, the first job's exception propagates. A nested call runs on its own thread and on
-/// spare threads of the enclosing calls.
+/// If jobs throw, the exception of the lowest-numbered one propagates. A nested call uses its own
+/// thread plus idle threads of the enclosing calls, so it adds no running threads.
 template <typename Result>
 std::vector<Result> InParallel(std::size_t jobs, int threads,
                                const std::function<Result(std::size_t)>& job) {

@@ -5,14 +5,14 @@
 
 #include "core/time.h"
 
-/// Rigid poses and motions in monogram notation. `X_AB` is the pose of frame B in A:
-/// `p_A = X_AB * p_B`. `R_AB` is its rotation and `p_AB` its translation. `v_WB` is the velocity of
-/// B's origin in W; `w_WB` is the angular velocity of B in W. Both are expressed in W; a trailing
-/// `_B` means "expressed in B".
+/// Rigid poses and motions in monogram notation. `X_AB` is the pose of frame B in A, so `p_A = X_AB
+/// * p_B`. `R_AB` is the rotation of X_AB and `p_AB` its translation. `v_WB` is the velocity of B's
+/// origin in W; `w_WB` is the angular velocity of B in W. Both are expressed in W unless the name
+/// ends in another frame, as in `w_WB_B`.
 
 namespace tera {
 
-/// Allowed deviation of a stored quaternion's norm from 1; rounding to text stays within it.
+/// Allowed deviation of a stored quaternion's norm from 1. Rounding to text stays within it.
 inline constexpr double kQuaternionTolerance = 1e-5;
 
 using Pose = Eigen::Isometry3d;
@@ -36,10 +36,9 @@ Pose Interpolate(const Pose& a, const Pose& b, double s);
 
 /// Motion of a rigid body B at one instant.
 ///
-/// Frames  W world (local ENU), B body; all vectors are expressed in W and taken at B's origin.
-/// Model   `a_WB_mps2` and `alpha_WB_radps2` are the accelerations of the last physics step,
-///         constant over that step. They are coordinate accelerations: zero at rest, -g in free
-///         fall.
+/// Frames  W world (local ENU), B body. Vectors are expressed in W and refer to B's origin.
+/// Model   `a_WB_mps2` and `alpha_WB_radps2` are coordinate accelerations: zero at rest, -g in free
+///         fall. They are constant over the physics step that ends at this instant.
 struct BodyState {
   Pose X_WB = Pose::Identity();
   Vec3 v_WB_mps = Vec3::Zero();
@@ -51,31 +50,32 @@ struct BodyState {
 /// Velocity in W of the body-fixed point at `p_B_m`.
 Vec3 PointVelocity(const BodyState& body, const Vec3& p_B_m);
 
-/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics:
-/// (v + w x r, a + alpha x r + w x (w x r)).
+/// Motion of a frame S that is fixed to body B at pose X_BS: v + w x r and a + alpha x r + w x (w x
+/// r).
 BodyState MotionOfFixedFrame(const BodyState& body, const Pose& X_BS);
 
-/// State between two steps: interpolated pose, linear velocities and the accelerations of `b`. The
-/// accelerations of `b` hold over the whole step that ends in `b`.
+/// State between the steps `a` and `b`. Pose and velocities are interpolated. Accelerations are
+/// those of `b`, because they are constant over the step that ends at `b`.
 BodyState Interpolate(const BodyState& a, const BodyState& b, double s);
 
-/// Force and torque on a body, expressed in W. The torque acts about the body frame's origin.
+/// Force and torque on a body, expressed in W. The torque is about the origin of the body frame.
 struct Wrench {
   Vec3 force_W_n = Vec3::Zero();
   Vec3 torque_W_nm = Vec3::Zero();
 
-  /// Adds `force_n`, expressed in W, which acts at `p_W_m`. `origin_W_m` is the body frame's
-  /// origin.
+  /// Adds a force, expressed in W, that acts at the point `p_W_m`. `origin_W_m` is the origin of
+  /// the body frame.
   void AddForceAt(const Vec3& force_n, const Vec3& p_W_m, const Vec3& origin_W_m);
 };
 
-/// Poses of one body over time, in strictly increasing time order.
+/// Poses of one body, appended in strictly increasing time order.
 ///
-/// Model   Interpolate(Pose, Pose, s) between two samples; the nearest end outside the range.
+/// Model   Interpolate(Pose, Pose, s) between two samples. A time outside the samples gives the
+///         nearest end.
 class PoseTrack {
  public:
   void Append(TimeNs t_ns, const Pose& X_WB);
-  /// Drops samples that no query at or after `t_ns` needs.
+  /// Drops samples that are not needed for queries at or after `t_ns`.
   void DropBefore(TimeNs t_ns);
   Pose At(TimeNs t_ns) const;
   bool empty() const { return samples_.empty(); }

@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Parses the whole text as a number. Returns nullopt if the text is no number or exceeds T. A
-/// floating-point T accepts NaN and infinities.
+/// Parses the whole text as a number. Returns nullopt if the text is not a number or does not fit
+/// into T. A floating-point T accepts NaN and infinities.
 template <typename T>
 std::optional<T> ParseNumber(std::string_view text) {
   T value = 0;

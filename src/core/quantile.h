@@ -11,8 +11,8 @@
 
 namespace tera {
 
-/// The value below which the fraction `share` of the values lies, linearly interpolated between
-/// samples. Integer results round towards the lower sample. `values` must not be empty.
+/// The value below which the fraction `share` of the values lies. Interpolates linearly between
+/// samples; for integers, the interpolated offset is truncated. `values` must not be empty.
 template <typename T>
 T Quantile(std::vector<T> values, double share) {
   TERA_CHECK(!values.empty());

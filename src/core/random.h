@@ -7,24 +7,22 @@
 
 namespace tera {
 
-/// A named random stream.
+/// A named stream of random numbers. A name is a path, such as `excavator1/imu_boom/gyro_white`.
 ///
-/// Model   Random123 Philox4x32-10. Key: 64-bit hash of (seed, name). Counter: (index, lane). Draw
-///         `index` is a pure function of (seed, name, index, lane). The stream has no hidden state,
-///         so evaluation order, thread count and skipped samples do not change a draw.
+/// Model   Random123 Philox4x32-10. The key is a 64-bit hash of (seed, name); the counter is
+///         (index, lane). A draw is a pure function of (seed, name, index, lane). The stream has no
+///         hidden state, so evaluation order, thread count and skipped samples do not change a
+///         draw.
 /// Omits   cryptographic strength.
 /// Source  Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3".
-///
-/// Names are paths: `excavator1/imu_boom/gyro_white`.
 class Stream {
  public:
   Stream(std::uint64_t seed, std::string_view name);
 
-  /// Uniform in (0, 1). `lane` separates several draws at one index.
+  /// Uniform in (0, 1). Different lanes give independent draws at the same index.
   double Uniform(std::uint64_t index, std::uint32_t lane = 0) const;
-  /// Standard normal, by Box–Muller from two uniforms of the same counter.
+  /// Standard normal, by Box–Muller from two uniforms with the same counter.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 0) const;
-  /// Three independent standard normals.
   Vec3 Gaussian3(std::uint64_t index, std::uint32_t lane = 0) const;
 
  private:
@@ -36,7 +34,7 @@ class Stream {
   std::uint32_t key_[2];
 };
 
-/// 64-bit FNV-1a hash of a text, the same on every platform.
+/// 64-bit FNV-1a hash, the same on every platform.
 std::uint64_t HashText(std::string_view text);
 
 }  // namespace tera

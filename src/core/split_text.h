@@ -5,7 +5,8 @@
 
 namespace tera {
 
-/// Replaces `parts` by the parts of `text` between separators, including empty parts.
+/// Fills `parts` with the substrings of `text` between separators. Empty substrings count. The
+/// overwritten vector keeps its memory.
 inline void SplitAt(char separator, std::string_view text, std::vector<std::string_view>* parts) {
   parts->clear();
   for (;;) {

@@ -9,11 +9,11 @@
 
 namespace tera {
 
-/// Wall-clock seconds of a command and of its stages, in the order in which the stages end. Reports
-/// use these times; data never do.
+/// Wall-clock seconds of a command and its stages, in the order in which the stages end. Only
+/// reports show these times; datasets never contain them.
 class StageClock {
  public:
-  /// Returns the result of `work` and adds its time to the stage.
+  /// Runs `work`, adds its duration to the stage and returns its result.
   template <typename Work>
   auto Time(const std::string& stage, const Work& work) {
     double wall_s = 0;
@@ -25,9 +25,9 @@ class StageClock {
     return result;
   }
   void Add(const std::string& stage, double wall_s);
-  /// Adds a part of the next stage that Add records. Parts may run concurrently.
+  /// Adds the duration of a part of the next stage that Add records. Parts may overlap in time.
   void AddPart(const std::string& part, double wall_s);
-  /// One line per stage, one for the remaining time and one for the total.
+  /// One line per stage, a line for the remaining time and a line for the total.
   std::string Table() const;
 
  private:
@@ -38,7 +38,7 @@ class StageClock {
     std::vector<std::pair<std::string, double>> parts;
   };
   std::vector<Stage> stages_;
-  std::vector<std::pair<std::string, double>> parts_;  ///< parts of the next stage
+  std::vector<std::pair<std::string, double>> parts_;
 };
 
 }  // namespace tera

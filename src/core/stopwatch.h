@@ -4,7 +4,8 @@
 
 namespace tera {
 
-/// Adds the wall-clock seconds of its lifetime to a sum. Reports use these times; data never do.
+/// Measures the wall-clock seconds of its own lifetime and adds them to a sum. Only reports show
+/// these times; datasets never contain them.
 class Stopwatch {
  public:
   explicit Stopwatch(double* sum_s) : sum_s_(sum_s), start_(Clock::now()) {}

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-/// Time is a signed 64-bit count of nanoseconds. Its origin is the start of the scenario or the
-/// epoch of a real recording. Times derive from counts and are never accumulated in doubles.
+/// Time is a signed 64-bit count of nanoseconds since the start of the scenario, or since the epoch
+/// of a real recording. Sample times are computed from sample indices, never by adding doubles.
 
 namespace tera {
 
@@ -17,8 +17,8 @@ inline double ToSeconds(TimeNs t_ns) { return static_cast<double>(t_ns) * 1e-9; 
 /// Nearest nanosecond to `t_s`.
 inline TimeNs FromSeconds(double t_s) { return static_cast<TimeNs>(std::llround(t_s * 1e9)); }
 
-/// Sample times of a periodic process: sample k at `start_ns + k / rate_hz`. Each k rounds to the
-/// nanosecond separately, so that 30 Hz does not drift.
+/// Sample times of a periodic process: sample k is at `start_ns + k / rate_hz`. Each time is
+/// rounded to a nanosecond on its own, so rates such as 30 Hz do not drift.
 struct SampleClock {
   double rate_hz = 1.0;
   TimeNs start_ns = 0;

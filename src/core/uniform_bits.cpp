@@ -16,16 +16,17 @@ namespace {
 
 using Philox = r123::Philox4x32;
 
-/// Stream::Uniform is (b + 1/2) / 2^53 for 53 bits b, rounded to a double. From 1/2 upwards the
-/// rounding yields an even b.
+/// Stream::Uniform returns (b + 1/2) / 2^53 for the 53 bits b, rounded to a double. For values of
+/// 1/2 and above, the rounding makes b even.
 std::uint64_t AsRounded(std::uint64_t b) { return b >> 52 != 0 ? b + (b & 1) : b; }
 
 #if defined(__x86_64__)
 
 constexpr std::size_t kLanes = 4;  ///< 64-bit lanes
 
-/// Ten rounds of Philox4x32 on the four counters `index` to `index` + 3. Each word occupies the
-/// lower half of a lane. The upper halves never affect the lower halves.
+/// Ten rounds of Philox4x32 on four counters, `index` to `index` + 3, in AVX2 registers. Each
+/// 32-bit word is in the lower half of a 64-bit lane. The upper halves never affect the lower
+/// halves.
 __attribute__((target("avx2"))) void DrawFour(std::array<std::uint32_t, 2> key, std::uint64_t index,
                                               std::uint64_t* bits) {
   constexpr int kRounds = 10;

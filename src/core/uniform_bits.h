@@ -7,11 +7,10 @@
 
 namespace tera {
 
-/// Batches of uniform draws of a named stream.
+/// Batches of draws from the uniform stream of a given seed and name.
 ///
-/// Model   draw `index` of (seed, name) is floor(2^53 u), where u is the Stream::Uniform(index) of
-///         the same seed and name. Where the processor supports it, Philox processes several
-///         counters in parallel.
+/// Model   draw `index` is floor(2^53 u), where u = Stream(seed, name).Uniform(index). Where the
+///         processor supports it, several counters run through Philox in parallel (SIMD).
 /// Source  see Stream.
 class UniformBits {
  public:
@@ -19,7 +18,7 @@ class UniformBits {
 
   /// Draws `first`, `first + 1`, and so on.
   void Draw(std::uint64_t first, std::span<std::uint64_t> bits) const;
-  /// Scalar version of Draw: processes one counter after another.
+  /// Same result as Draw, without SIMD.
   void DrawSingly(std::uint64_t first, std::span<std::uint64_t> bits) const;
 
   static constexpr int kBits = 53;

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// A 0 stands for any digit; all other characters are literal.
+/// A 0 stands for any digit. Every other character stands for itself.
 constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
 constexpr int kFirstYear = 1970, kLastYear = 2037;  // range of ROS time in signed 32-bit seconds
 

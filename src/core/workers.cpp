@@ -7,7 +7,8 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kRangesPerThread = 2;  ///< limits the delay that a late thread causes
+constexpr std::size_t kRangesPerThread = 2;  ///< more ranges than threads limit the delay by a
+                                             ///< thread that starts late
 
 }  // namespace
 
@@ -15,7 +16,7 @@ Workers::Workers(int threads) {
   try {
     for (int t = 1; t < threads; ++t) others_.emplace_back([this] { Wait(); });
   } catch (const std::system_error&) {
-    // The system provides no more threads; the existing threads do all the work.
+    // The system provides no more threads. The loops run on the existing ones.
   }
 }
 
@@ -55,7 +56,7 @@ void Workers::Wait() {
   }
 }
 
-/// Takes ranges until none is left. `lock` is released while a range runs.
+/// Runs ranges until none is left. Releases `lock` while a range runs.
 void Workers::TakeRanges(std::unique_lock<std::mutex>* lock) {
   while (next_ < count_) {
     const std::size_t begin = next_, end = std::min(begin + step_, count_);

@@ -11,16 +11,16 @@
 
 namespace tera {
 
-/// Persistent threads that wait for the next loop. They serve work too short for thread creation,
-/// such as the rows of an image.
+/// A thread pool for parallel loops that are too short to start new threads each time, such as the
+/// rows of an image.
 ///
-/// Model   the threads take ranges of the loop in order. The result of a range must not depend on
-///         another range, so that the number of threads does not change the result.
-/// Omits   nested loops; only a single caller may run a loop at a time.
+/// Model   Threads take consecutive index ranges of the loop. The result of a range must not depend
+///         on other ranges; then the number of threads does not affect the result.
+/// Omits   nested loops and concurrent callers.
 class Workers {
  public:
-  /// `threads` includes the calling thread; values below 1 count as 1. If the system provides fewer
-  /// threads, the loops use fewer.
+  /// `threads` includes the calling thread; values below 1 mean 1. The pool is smaller if the
+  /// system cannot start enough threads.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -28,8 +28,8 @@ class Workers {
 
   /// Works on the half-open range [begin, end).
   using RangeWork = std::function<void(std::size_t begin, std::size_t end)>;
-  /// Calls `work` for consecutive ranges that cover 0 to `count` and returns when all are done.
-  /// Each range but the last has at least `least` places. If ranges throw, one exception
+  /// Calls `work` on consecutive ranges that cover [0, count) and waits for all of them. Each range
+  /// except the last has at least `least` indices. If several calls throw, one of the exceptions
   /// propagates.
   void ForRanges(std::size_t count, std::size_t least, const RangeWork& work);
 

@@ -32,7 +32,7 @@ std::vector<Learned> LearnAll(const DiagnosedBlock& diagnosed, std::uint64_t see
 std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
                                              const std::vector<DiagnosedBlock>& blocks,
                                              const DiagnosisOptions& options) {
-  NextManoeuvreOptions next{.step_s = options.blocks.step_s, .alpha = options.search.alpha};
+  NextManoeuvreOptions next{.alpha = options.search.alpha};
   std::vector<DiagnosedAxis> axes;
   for (const DiagnosedBlock& diagnosed : blocks) {
     axes.push_back({&diagnosed.block, &diagnosed.diagnosis});
@@ -129,16 +129,14 @@ SensorDiagnosisOptions SensorOptionsOf(const DiagnosisCase& asked,
 }
 
 /// The whole simulation with the findings; none if not requested or without findings.
-std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
-                                       const Measurements& measured,
+std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const Measurements& measured,
                                        const std::vector<DiagnosedBlock>& blocks,
                                        const std::optional<SimulatedCourse>& as_it_is,
                                        StageClock* clock) {
   if (!asked.simulate || FindingsToSimulate(blocks).empty()) return std::nullopt;
   if (IsOutOfTime(blocks)) return WholeSimulation{.obstacle = "the time was over"};
   return clock->Time("whole simulation", [&] {
-    return SimulateWhole(asked.input, measured, options.blocks.base_interval_s, blocks, as_it_is,
-                         asked.simulate);
+    return SimulateWhole(asked.input, measured, blocks, as_it_is, asked.simulate);
   });
 }
 
@@ -171,7 +169,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
   const std::optional<SimulatedCourse> course = clock->Time(
       "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
-  diagnosis.missing_input = MissingInputOf(input, left, options.blocks, course);
+  diagnosis.missing_input = MissingInputOf(input, left, course);
   std::erase_if(blocks, [&](const ReplayBlock& block) {
     return std::any_of(diagnosis.missing_input.begin(), diagnosis.missing_input.end(),
                        [&](const MissingInput& one) { return one.axis == block.name; });
@@ -205,7 +203,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     diagnosis.held_out.push_back(
         ValidateHeldOut(diagnosis.blocks, options.blocks, options.seed, &one));
   }
-  diagnosis.whole = WholeOf(asked, options, left, diagnosis.blocks, course, clock);
+  diagnosis.whole = WholeOf(asked, left, diagnosis.blocks, course, clock);
   diagnosis.perception = std::move(asked.perception);
   return diagnosis;
 }

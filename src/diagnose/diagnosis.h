@@ -64,11 +64,12 @@ struct UnexplainedInBlock {
 
 /// Findings of a block, by descending removed error of their channel on FINAL. The gain in
 /// log-likelihood would instead rank an effect that is faint in many manoeuvres above one that is
-/// strong in few. A diagnosis must outlive what is ranked of it.
+/// strong in few. The diagnosis must outlive the returned pointers.
 std::vector<const Finding*> RankedFindings(const DiagnosedBlock& diagnosed);
 
-/// Findings that are as expected; that were chosen and not confirmed; that come nearest to what is
-/// unexplained.
+/// Findings of all blocks in three lists: findings within tolerance; chosen findings that FINAL
+/// does not confirm; mechanisms that come nearest to an unexplained error but are not its cause
+/// (proxies).
 std::vector<const Finding*> WithinToleranceOf(const Diagnosis& diagnosis);
 std::vector<const Finding*> UnconfirmedOf(const Diagnosis& diagnosis);
 std::vector<const Finding*> ProxiesOf(const Diagnosis& diagnosis);
@@ -98,16 +99,17 @@ struct Cause {
   double ErrorRatio() const;
 };
 
-/// Causes that a diagnosis names, those of blocks first, block by block: the block with the
-/// greatest total gain in log-likelihood on held-out samples, and within it as RankedFindings. Then
-/// those of sensors that were compared with each other, then of lidars and cameras.
+/// All causes that a diagnosis names. Causes in blocks come first: blocks by descending total gain
+/// in log-likelihood on held-out samples, and the findings of a block in the order of
+/// RankedFindings. Causes in sensors that were compared with each other follow. Causes in lidars
+/// and cameras come last.
 std::vector<Cause> RankedCauses(const Diagnosis& diagnosis);
 
 /// The same, sorted by descending ErrorRatio.
 std::vector<Cause> CausesOf(const Diagnosis& diagnosis);
 
-/// Channels of compared sensors with a residual that no sensor parameter explains, and that no
-/// block was judged by later.
+/// Channels of sensors that were compared with each other, with a residual that no sensor parameter
+/// explains. Channels that a testable block judges are left out.
 std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis);
 
 /// Other candidates that explain as well as the finding.

@@ -31,10 +31,12 @@ struct ReversedAxis {
   std::string axis;     ///< the joint's name
   bool is_documented = false;
   double pivot_rad = 0;  ///< position that the inversion keeps
-  /// Correlation of its rate with that of inertial units about the joint, and with its lever.
+  /// Correlation of the encoder's rate with the rate of inertial units about the joint, and with
+  /// the joint's lever.
   double with_units = 0, with_lever = 0;
   double p = 1;  ///< p-value of both being so steadily negative
-  /// RMS of its rate minus that of the units, as recorded and inverted.
+  /// RMS of the encoder's rate minus the rate of the inertial units: as recorded, and with the sign
+  /// inverted.
   double rms_before_radps = 0, rms_after_radps = 0;
 };
 
@@ -46,8 +48,8 @@ struct OffsetReceiver {
   double tolerance_s = 0;           ///< expected deviation from it, or deviation found otherwise
   double shift_s = 0, sigma_s = 0;  ///< additional offset, positive ahead
   double p = 1;                     ///< p-value of so steady a gain over all other offsets
-  /// RMS of its displacement per second minus that of running gear and joints, with its own stamps
-  /// and with corrected ones.
+  /// RMS of the receiver's displacement per second minus that of running gear and joints: with the
+  /// recorded stamps, and with corrected stamps.
   double rms_before_m = 0, rms_after_m = 0;
 };
 
@@ -57,12 +59,12 @@ struct Measurements {
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
   bool poses_were_measured = false;  ///< not simulated
-  /// Without measured poses: poses of the base estimated from all sensors, for its own replay
-  /// alone.
+  /// If no poses were measured: poses of the base, estimated from all sensors. Only the replay of
+  /// the base uses them.
   std::vector<TruthPose> estimated_poses = {};
   TableRecording efforts;  ///< of drives
-  /// One list for each of the scenario's sensors; empty if it is no inertial unit or was not
-  /// recorded.
+  /// One list for each sensor of the scenario; empty for a sensor that is no inertial unit or was
+  /// not recorded.
   std::vector<std::vector<ImuSample>> imus;
   std::vector<std::vector<GnssSample>> gnss;  ///< one list for each sensor, as `imus`
   /// Axes with inverted sign, corrected in `encoders`.

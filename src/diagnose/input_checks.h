@@ -31,8 +31,8 @@ void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
                  const std::vector<TruthPose>& poses);
 
 /// Checks that no column is constant while its lever, or the joint's other column, moves. Checks
-/// that the ratios of rates to changes of positions, and of positions to the joints' limits, are no
-/// unit factors.
+/// two ratios for unit factors such as 57.3: rates to changes of positions, and positions to the
+/// joints' limits.
 void CheckEncoders(const RecordedPlace& place, const TableRecording& commands,
                    const std::vector<NamedEncoders>& encoders, const MachineModel& model);
 

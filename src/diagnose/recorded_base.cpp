@@ -46,7 +46,7 @@ std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
 }
 
 std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measurements& measured,
-                                        double interval_s, std::string* why_not) {
+                                        std::string* why_not) {
   if (!HasBase(input, measured)) {
     *why_not = WithoutBaseText(input, measured);
     return std::nullopt;
@@ -58,8 +58,8 @@ std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measu
     return std::nullopt;
   }
   // The gears' encoders bound the time.
-  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured), interval_s,
-                                  ArrivalsOf(measured));
+  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
+                                  kBaseInterval_s, ArrivalsOf(measured));
   const bool has_poses = !measured.poses.empty();
   auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
                              measured.poses_were_measured && has_poses);
@@ -75,10 +75,10 @@ std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measu
 
 std::optional<ReplayDiscrepancy> RecordedBaseDiscrepancy(
     const DiagnosisInput& input, const Measurements& measured,
-    const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course, double interval_s) {
+    const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course) {
   if (!HasBase(input, measured)) return std::nullopt;
   const auto log_of = [&](const auto& encoders, const auto& poses) {
-    return MakeBaseLog(*input.model, encoders, poses, interval_s);
+    return MakeBaseLog(*input.model, encoders, poses, kBaseInterval_s);
   };
   const std::vector<TruthPose>& poses = BasePoses(measured);
   const std::vector<TruthPose> simulated_poses = AsSimulated(course, poses);

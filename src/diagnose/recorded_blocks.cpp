@@ -20,14 +20,15 @@
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/input_checks.h"
 #include "diagnose/recorded_base.h"
+#include "diagnose/replay/base_log.h"
 
 namespace tera {
 namespace {
 
 constexpr double kMostStepOfPeriod = 0.2;  ///< step of a replay over an encoder's period
 
-/// The step of the axes' replay: fine enough for the fastest encoder, and no finer than wanted.
-double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
+/// The step of the axes' replay, longer where no encoder needs it to be so fine.
+double AxisStep_s(const std::vector<NamedEncoders>& encoders) {
   double shortest_s = std::numeric_limits<double>::max();
   for (const NamedEncoders& named : encoders) {
     const std::vector<EncoderSample>& samples = named.recording.samples;
@@ -36,7 +37,7 @@ double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
     shortest_s = std::min(shortest_s, length_s / static_cast<double>(samples.size() - 1));
   }
   const bool any = shortest_s < std::numeric_limits<double>::max();
-  return any ? std::max(wanted_s, kMostStepOfPeriod * shortest_s) : wanted_s;
+  return any ? std::max(kReplayStep_s, kMostStepOfPeriod * shortest_s) : kReplayStep_s;
 }
 
 /// Calls `add`. An InputError becomes an obstacle with its place, and the rest continues.
@@ -94,8 +95,8 @@ void RequireLever(const DiagnosisInput& input, std::size_t axis) {
 void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
-  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders,
-                                  AxisStep_s(measured.encoders, options.step_s));
+  const AxisLog log =
+      MakeAxisLog(*input.model, input.commands, measured.encoders, AxisStep_s(measured.encoders));
   *out = MakeAll(log.measured.size(), options.threads, [&](std::size_t axis, Made* one) {
     Try(log.measured[axis].channel + ": ", &one->obstacles, [&] {
       auto block = MakeAxisBlock(*input.model, log, axis);
@@ -117,20 +118,19 @@ void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
 }
 
 /// Adds the block of the base, or what is missing for it.
-void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
-             Made* out) {
+void AddBase(const DiagnosisInput& input, const Measurements& measured, Made* out) {
   std::string why_not;
-  auto block = RecordedBase(input, measured, options.base_interval_s, &why_not);
+  auto block = RecordedBase(input, measured, &why_not);
   if (block) out->blocks.push_back(std::move(*block));
   if (!why_not.empty()) out->motion_unknown.push_back(why_not);
 }
 
 /// Adds the discrepancies of the replays of joints and gears.
 void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measured,
-                          const std::vector<NamedEncoders>& simulated, const BlockOptions& options,
+                          const std::vector<NamedEncoders>& simulated,
                           std::vector<ReplayDiscrepancy>* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
-  const double step_s = AxisStep_s(measured.encoders, options.step_s);
+  const double step_s = AxisStep_s(measured.encoders);
   const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, step_s);
   const AxisLog course = MakeAxisLog(*input.model, input.commands, simulated, step_s);
   for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
@@ -150,7 +150,7 @@ std::string TooFewText(const DiagnosisInput& input, const SensorDescription& sen
 /// Adds a block for each inertial unit whose link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
-  const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
+  const double interval_s = std::max(kBaseInterval_s, ImuInterval_s(measured.poses));
   *out = MakeAll(input.sensors.size(), options.threads, [&](std::size_t s, Made* one) {
     const SensorDescription& sensor = input.sensors[s];
     if (measured.imus[s].empty()) return;
@@ -267,7 +267,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   const std::vector<std::function<void(Made*)>> kinds = {
       [&](Made* out) { AddAxes(input, measured, options, out); },
       [&](Made* out) { AddEfforts(input, measured, &out->blocks); },
-      [&](Made* out) { AddBase(input, measured, options, out); },
+      [&](Made* out) { AddBase(input, measured, out); },
       [&](Made* out) { AddImus(input, measured, options, out); },
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,
@@ -282,10 +282,9 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
 }
 
 std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
-                                         const BlockOptions& options,
                                          const std::optional<SimulatedCourse>& course) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return {};
-  const double step_s = AxisStep_s(measured.encoders, options.step_s);
+  const double step_s = AxisStep_s(measured.encoders);
   const auto log_of = [&](const std::vector<NamedEncoders>& encoders) {
     return MakeAxisLog(*input.model, input.commands, encoders, step_s);
   };
@@ -334,9 +333,8 @@ std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input
         std::vector<std::string> obstacles;  // BlocksOf reports them
         Try(measured.recording, &obstacles, [&] {
           if (k == 0) {
-            AddRateDiscrepancies(input, measured, encoders, options, &discrepancy);
-          } else if (auto base = RecordedBaseDiscrepancy(input, measured, encoders, course,
-                                                         options.base_interval_s)) {
+            AddRateDiscrepancies(input, measured, encoders, &discrepancy);
+          } else if (auto base = RecordedBaseDiscrepancy(input, measured, encoders, course)) {
             discrepancy.push_back(std::move(*base));
           }
         });

@@ -12,10 +12,8 @@
 namespace tera {
 
 struct BlockOptions {
-  bool needs_any = true;         ///< whether it is an error if nothing can be replayed
-  double step_s = 0.01;          ///< of the replay of axes, if encoders sample often enough
-  double base_interval_s = 0.2;  ///< interval for comparing the motion of base and inertial units
-  int threads = 2;               ///< without influence on the blocks
+  bool needs_any = true;  ///< whether it is an error if nothing can be replayed
+  int threads = 2;        ///< without influence on the blocks
 };
 
 /// All blocks for which the recording has channels of 20 s or more: joints and gears with encoders
@@ -30,7 +28,6 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
 /// Joints and gears whose input the recording lacks, compared with the simulation under the
 /// recorded levers if there is one.
 std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
-                                         const BlockOptions& options,
                                          const std::optional<SimulatedCourse>& course = {});
 
 /// Removes and returns the blocks of inertial units and receivers, which follow the machine's own.

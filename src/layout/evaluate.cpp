@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-/// The corners of a zone's shape from above, in its own frame.
+/// Corners of a zone's bounding shape from above, in Z.
 std::vector<Vec3> CornersOf(const Zone& zone) {
   std::vector<Vec3> corners;
   if (const auto* prism = std::get_if<ZonePrism>(&zone.shape)) {
@@ -32,7 +32,7 @@ std::vector<Vec3> CornersOf(const Zone& zone) {
   return corners;
 }
 
-/// A zone in W must have a part of the site below it.
+/// Throws unless a part of the site lies below a zone in W.
 void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   const Vec2 low_m = site.origin_W_m;
   const Vec2 high_m(site.x_m(site.nx - 1), site.y_m(site.ny - 1));
@@ -45,7 +45,7 @@ void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   if ((to_m.array() > low_m.array()).all() && (from_m.array() < high_m.array()).all()) return;
   throw InputError(zone.place,
                    {FaultKind::kOutOfRange,
-                    fmt::format("'{}' lies beside the site, which reaches from x {} to {} m and y "
+                    fmt::format("'{}' lies outside the site, which reaches from x {} to {} m and y "
                                 "{} to {} m; need a place on it",
                                 zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y())});
 }
@@ -61,17 +61,19 @@ void CheckStudy(const LayoutStudy& study, const Scenario& scenario) {
       throw InputError(
           zone.place,
           {FaultKind::kRepeated,
-           fmt::format("'{}' is the name of the volume around the machine; need another",
-                       zone.name)});
+           fmt::format(
+               "'{}' is the reserved name of the volume around the machine; need another name",
+               zone.name)});
     }
     if (zone.frame == "W") {
       RequireOnSite(zone, scenario.site->surface());
     } else if (model.LinkIndex(zone.frame) < 0) {
       std::vector<std::string> frames = {"W"};
       for (const Link& link : model.links) frames.push_back(link.name);
-      throw InputError(zone.place, {FaultKind::kNoSuchName,
-                                    fmt::format("of '{}' there is no frame '{}'; need one of {}",
-                                                zone.name, zone.frame, fmt::join(frames, ", "))});
+      throw InputError(zone.place,
+                       {FaultKind::kNoSuchName,
+                        fmt::format("'{}' refers to the unknown frame '{}'; need one of {}",
+                                    zone.name, zone.frame, fmt::join(frames, ", "))});
     }
   }
 }

@@ -23,11 +23,11 @@ std::vector<std::string> FlatWarnings(const Layout& layout) {
   std::vector<std::string> warnings;
   for (const Viewer& viewer : layout.viewers) {
     if (!viewer.field.is_flat) continue;
-    warnings.push_back(fmt::format(
-        "{}: its beams have one elevation and sweep a surface without thickness; it counts as "
-        "seeing nothing, though it has points where that surface meets things: what it sees is not "
-        "told here, only a lidar of beams at several elevations",
-        viewer.name));
+    warnings.push_back(
+        fmt::format("{}: all beams have one elevation and sweep a surface without volume; this "
+                    "lidar counts as blind, although it measures points on that surface; need a "
+                    "lidar with beams at several elevations",
+                    viewer.name));
   }
   return warnings;
 }
@@ -99,7 +99,7 @@ Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::si
   if (layout.viewers.empty()) {
     throw InputError(file.string(),
                      {FaultKind::kMissing,
-                      "has no lidar and no camera; need one at least, to ask what it sees"});
+                      "has no lidar and no camera; need at least one to evaluate coverage"});
   }
   return layout;
 }

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// A rig on the machine of a study, whose view is evaluated.
+/// A sensor rig on the studied machine.
 struct Layout {
   std::string name;  ///< its file name without the extension
   std::filesystem::path file;
@@ -19,40 +19,41 @@ struct Layout {
   std::vector<Viewer> viewers;  ///< lidars and cameras; X_WS at the current moment
 };
 
-/// A warning for each lidar whose beams all have one elevation: it counts as seeing nothing.
+/// One warning for each lidar whose beams have equal elevation. Its points per solid angle are
+/// undefined, so the measures treat it as blind.
 std::vector<std::string> FlatWarnings(const Layout& layout);
 
-/// Cost, power and data of a rig: sums over its sensors.
+/// Cost, electrical power and data rate of a rig: sums over its sensors.
 struct Expense {
   double cost = 0;  ///< in the rig file's own currency
   double power_w = 0;
-  double data_mbyteps = 0;  ///< data rate of raw pictures and scans
-  /// Number of sensors, and number with a cost and with a power above 0.
+  double data_mbyteps = 0;  ///< data rate of uncompressed pictures and scans, MB/s
+  /// Number of sensors, of sensors with a cost above 0, and of sensors with a power above 0.
   int sensors = 0, priced = 0, powered = 0;
 };
 Expense ExpenseOf(const Layout& layout);
 
-/// Indices of the machine and the links of a study.
+/// Index of the studied machine in the scenario, and of its upper structure's link in the machine.
 struct StudiedMachine {
   std::size_t machine = 0;
   int upper = 0;
 };
-/// Throws InputError if the scenario has no machine or link with these names.
+/// Throws InputError if the scenario lacks the machine or the machine lacks the link.
 StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario);
 
-/// The layout of these sensors on a machine, without a name. It may have no lidar and no camera.
+/// A nameless layout of these sensors. It may have no lidar and no camera.
 Layout LayoutOfSensors(std::vector<SensorDescription> sensors, const MachineModel& model);
 
-/// Reads a rig.
+/// Reads a rig file as a layout on machine number `machine`.
 ///
-/// Throws  InputError if it has no lidar and no camera, and as scenarios do.
+/// Throws  InputError if the rig has no lidar and no camera, and as the scenario reader does.
 Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine);
 
-/// Shortens the reach of all viewers by fog, rain and falling snow.
+/// Shortens the maximum range of all viewers in fog, rain and falling snow.
 ///
-/// Model   lidars: ReachInAir_m. Cameras: the range at which the air leaves 2 % of the contrast
-///         (Koschmieder), which in fog alone is its visibility.
-/// Omits   dust; a time-of-flight camera's own light, which fog returns as a lidar's.
+/// Model   lidars: ReachInAir_m. Cameras: the distance at which the air leaves 2 % of the contrast
+///         (Koschmieder). In fog alone this distance is the visibility.
+/// Omits   dust; the back-scatter of a time-of-flight camera's own light in fog.
 void PutInAir(const AirStudy& air, Layout* layout);
 
 /// Sets X_WS of the viewers from the machine's state.

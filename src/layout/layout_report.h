@@ -13,25 +13,24 @@ namespace tera {
 /// Results of one layout over a cycle.
 struct LayoutReport {
   std::string name, file;
-  std::string cycle;  ///< dataset or scenario of the cycle
-  /// SHA-256 over the study and the cycle's scenario.
+  std::string cycle;  ///< path of the cycle's dataset or scenario
+  /// SHA-256 of the study and of the cycle's scenario. Reports are comparable only if it is equal.
   std::string asked_sha256;
   std::vector<std::string> viewers;
   Expense expense;
-  std::vector<double> t_s;  ///< one per moment
+  std::vector<double> t_s;  ///< times of the evaluated moments
   std::vector<Figure> figures;
   std::vector<PolarMap> maps;
   std::vector<PolarCurve> curves;
-  /// Reach of the machine from above in each direction (HullRadii_m), the maximum over the cycle;
-  /// empty if unknown.
+  /// Outline of the machine from above: HullRadii_m, its maximum over the cycle. Empty if unknown.
   std::vector<double> outline_m;
-  /// Per zone: the causes of its blind places, and the overlaps of pairs of viewers.
+  /// For each zone: the share of its blind places by cause, and the overlap of each pair of
+  /// viewers.
   std::map<std::string, std::map<std::string, double>> blind_causes, overlaps;
   std::vector<std::string> warnings;
 };
 
-/// Name of the shovel that digs: the first that carries soil, else the first; empty if there is
-/// none.
+/// Name of the digging shovel: the first that carries soil, else the first. Empty without a shovel.
 std::string DiggingShovel(const LayoutReport& report);
 
 /// The figure with this id, or null.

@@ -26,7 +26,7 @@ namespace {
 
 constexpr char kTerrainFolder[] = "truth/terrain";
 
-/// The override that gives the machine the rig.
+/// Scenario override that puts the rig on the machine.
 std::string RigOverride(const fs::path& dataset, const ResenseRig& rig,
                         const std::vector<std::string>& moved) {
   const Scenario scenario = LoadRecordedScenario(dataset, {}, moved).scenario;
@@ -44,7 +44,7 @@ std::string RigOverride(const fs::path& dataset, const ResenseRig& rig,
                      fs::absolute(rig.file).lexically_normal().string());
 }
 
-/// The truth does not depend on the rig.
+/// Copies the truth of `dataset`, since the truth does not depend on the rig.
 void TakeOverTruth(const fs::path& dataset, const Scenario& scenario, DatasetWriter* writer) {
   for (const ChannelInfo& info : TruthChannels(scenario)) {
     writer->AddWholeTable(info, dataset / info.path);
@@ -57,7 +57,7 @@ void TakeOverTruth(const fs::path& dataset, const Scenario& scenario, DatasetWri
   }
 }
 
-/// Measures the whole run.
+/// Runs the sensors over the whole recorded run.
 void MeasureAgain(const Scenario& scenario, const SceneAssembly& assembly,
                   const GenerateOptions& options, StatePlayback* playback, DatasetWriter* writer,
                   GenerateReport* report) {

@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// Wear of a surface by work, each from 0 (factory condition) to 1 (worst condition).
+/// Wear of a surface, each component from 0 (as new) to 1 (worst).
 struct Wear {
   double dust = 0;       ///< on surfaces that face upward, and as a film near the ground
   double mud = 0;        ///< on surfaces in or near the soil
@@ -19,17 +19,17 @@ struct Wear {
 
 /// Wear of a scene node.
 ///
-/// Frames  B frame of the node's body, z up in its own zero pose.
-/// Model   a point's distance from the soil determines the fractions of mud and bare steel; noise
-///         fixed to the body determines their pattern.
+/// Frames  B is the frame of the node's body, with z up when all joints are at zero.
+/// Model   the distance of a point from the soil sets the fractions of mud and bare steel. Noise
+///         that is fixed to the body sets the pattern.
 struct NodeWear {
   Wear wear;
-  Vec3 soil_albedo = Vec3(0.3, 0.22, 0.15);  ///< albedo of the soil's dry bank
-  /// Distance from the soil at p_B is max(0, normal . p_B + offset) in metres; all zero: in the
-  /// soil.
+  Vec3 soil_albedo = Vec3(0.3, 0.22, 0.15);  ///< albedo of the dry soil, for dust and mud
+  /// The distance of p_B from the soil is max(0, normal . p_B + offset) in m. If all are zero, the
+  /// whole node counts as in the soil.
   Vec3 from_soil_normal_B = Vec3::Zero();
   double from_soil_offset_m = 0;
-  /// Cutting edge: a line along y at this (x, z).
+  /// Cutting edge: the line along y through this (x, z).
   std::optional<Vec2> edge_B_m;
 };
 

@@ -10,20 +10,20 @@
 
 namespace tera {
 
-/// Renders a camera's view along the recorded trajectory.
+/// Renders what a camera would see along the recorded trajectory.
 ///
 /// Frames  W of the recorded poses; B the camera's link; T the calibrated camera; C optical.
-/// Model   bodies, link and ground at the image's instant; the simulator's own camera without
-///         noise, reduced `reduced` times in both directions.
-/// Omits   the omissions of the simulator's camera (sensors/camera/camera.h); appearance of tracks
-///         and shovels, whose pixels are marked as not comparable.
+/// Model   bodies and ground have their state at the image's time. The camera is the simulator's
+///         own without noise. The image is reduced by the factor `reduced` along both axes.
+/// Omits   as the simulator's camera (sensors/camera/camera.h). Also the appearance of tracks and
+///         of the soil in shovels; their pixels are marked as not comparable.
 class PictureCaster {
  public:
-  /// Keeps references to all arguments. Throws InputError without OpenGL.
+  /// Keeps references to all arguments. Throws InputError if OpenGL is not available.
   PictureCaster(const Scenario& scenario, const SceneAssembly& assembly, const RecordedStage& stage,
                 const std::vector<RecordedMotion>& machines);
 
-  /// Motion of the camera's link at an image's true time; nullopt if unknown.
+  /// Motion of the camera's link at the true time of an image. Empty if it is unknown.
   std::optional<BodyState> LinkAt(std::size_t machine, const SensorDescription& sensor,
                                   const ScanCaster::Scan& picture,
                                   const SensorCalibration& calibration) const;
@@ -40,9 +40,10 @@ class PictureCaster {
   Rasterizer rasterizer_;
 };
 
-/// Lens of an image reduced `times` in both directions; each reduced pixel is a mean.
+/// Lens of an image that is reduced by the factor `times` along both axes. Each reduced pixel is
+/// the mean of `times` x `times` pixels.
 CameraIntrinsics Reduced(const CameraIntrinsics& lens, int times);
-/// Brightness of an image (Rec. 601) from 0 to 1, reduced `times` in both directions.
+/// Brightness of an image (Rec. 601) in [0, 1], reduced by the factor `times` along both axes.
 Image<float> ReducedGrey(const Image<std::uint8_t>& rgb, int times);
 
 }  // namespace tera

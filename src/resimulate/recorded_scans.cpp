@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPointsOfScan = 4000;  ///< kept points per scan or depth image
+constexpr std::size_t kMostPointsOfScan = 4000;  ///< points kept of a scan or depth image
 
 /// An image or a scan.
 Measurement LoadMeasurement(const Recording& recording, const std::string& channel,

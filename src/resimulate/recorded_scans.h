@@ -8,19 +8,20 @@
 
 namespace tera {
 
-/// Loads one measurement of a ranging sensor (SensorKind::ranging), thinned to about 4000 points in
-/// the documented S. Throws InputError for a malformed file.
+/// Loads one scan or depth image of a ranging sensor (SensorKind::ranging), thinned to about 4000
+/// points. Points are in S, the documented sensor frame. Throws InputError for a malformed file.
 LoadedScan LoadRangeScan(const Recording& recording, const std::string& channel,
                          const SensorDescription& sensor, TimeNs t_ns);
 
-/// Brightness of a recorded image, or the obstacle to its comparison with the scenario's sensor.
+/// Brightness of a recorded image, or the reason why it cannot be compared with the scenario's
+/// sensor.
 struct LoadedPicture {
-  Image<float> grey;     ///< 0 to 1
-  std::string obstacle;  ///< reason; empty if comparable
+  Image<float> grey;     ///< in [0, 1]
+  std::string obstacle;  ///< the reason; empty if the image is comparable
 };
 
-/// Loads the image of an imaging sensor, reduced `reduced` times in both directions. Throws
-/// InputError for a malformed file.
+/// Loads an image and reduces it by the factor `reduced` along both axes. Throws InputError for a
+/// malformed file.
 LoadedPicture LoadGreyPicture(const Recording& recording, const std::string& channel,
                               const SensorDescription& sensor, TimeNs t_ns, int reduced);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostScans = 60, kMostPictures = 40;
 
-/// Up to `most` evenly spread times within a range.
+/// Up to `most` of the times within a range, evenly spread.
 std::vector<TimeNs> Thinned(std::vector<TimeNs> times, TimeNs from_ns, TimeNs to_ns,
                             std::size_t most) {
   std::erase_if(times, [&](TimeNs t) { return t < from_ns || t > to_ns; });

@@ -12,36 +12,38 @@
 
 namespace tera {
 
-/// True if a sensor measures ranges, as do lidars and cameras with depth.
+/// True for sensors that measure ranges: lidars and depth cameras.
 bool MeasuresRanges(const SensorDescription& sensor);
 
-/// True if the comparison uses a sensor's images: it has colour images and no ranges.
+/// True for sensors whose images are compared: those with colour images and without ranges.
 bool TakesPictures(const SensorDescription& sensor);
 
-/// An exteroceptive sensor of a scenario's machine, with some of its recorded scans or images.
+/// A lidar or camera of a machine in the scenario, with a selection of its recorded scans or
+/// images.
 struct RecordedSensor {
   std::size_t machine = 0;
   const SensorDescription* description = nullptr;
-  std::string channel;  ///< channel of the recording, "excavator1/lidar_roof"
+  std::string channel;  ///< channel in the recording, "excavator1/lidar_roof"
   std::vector<ScanCaster::Scan> scans;
-  std::string obstacle;  ///< obstacle to its simulation; empty if none
+  std::string obstacle;  ///< reason why it cannot be simulated; empty if it can
 };
 
-/// Part of a recording, in seconds from each sensor's first scan.
+/// A part of a recording, in seconds from the first scan of each sensor.
 struct RecordedPart {
   double from_s = 0, to_s = 1e9;
 };
 
-/// Sensors of a scenario with recorded scans or images: up to 60 scans or 40 images each, evenly
-/// spread. `names` are the machines' names in the recording. Keeps pointers into the scenario.
+/// Sensors of the scenario with recorded scans or images. For each sensor it selects up to 60 scans
+/// or 40 images, evenly spaced. `names` are the machines' names in the recording. Keeps pointers
+/// into the scenario.
 std::vector<RecordedSensor> SeeingSensors(const Scenario& scenario,
                                           const std::vector<std::string>& names,
                                           const Recording& recording, const RecordedPart& part);
 
-/// Sets ground and loads of each scan at its end, by advancing the stage in time order.
+/// Sets the ground and the loads at the end of each scan, by advancing `stage` in order of time.
 void WorkGround(RecordedStage* stage, std::vector<RecordedSensor>* sensors);
 
-/// Reason for an unknown sensor pose; empty if it is known.
+/// Explains why the pose of a sensor is unknown. Empty if it is known.
 std::string ObstacleTo(const RecordedSensor& sensor, const RecordedMotion& motion,
                        const MachineModel& model);
 

@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond = 1.5;  ///< factor on the range, to know surfaces beyond it
+/// Rays are this many times as long as the sensor's range, to find surfaces just beyond it.
+constexpr double kBeyond = 1.5;
 
 }  // namespace
 

@@ -11,26 +11,26 @@
 
 namespace tera {
 
-/// Surface class of each instance for a comparison. Tracks and carried soil are not comparable,
-/// because their shape is not measured. Machine parts beyond an unmeasured joint are not comparable
-/// either. The ground is instance 0.
+/// Surface class of each instance, for a comparison with measurements. The ground is instance 0.
+/// Not comparable are tracks and carried soil, whose shape is not measured, and all parts of a
+/// machine whose whole pose is not known (RecordedMotion::shows_whole).
 std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& assembly,
                                 const std::vector<RecordedMotion>& machines);
 
-/// Casts rays of recorded scans in the simulated scene, from the recorded trajectory.
+/// Casts the rays of recorded scans in the simulated scene, along the recorded trajectory.
 ///
-/// Model   bodies and link have as many poses per scan as the sensor kind specifies; an image has
-///         one. The ground is the ground at the scan's end.
+/// Model   for each scan, bodies and the sensor's link have as many poses as the sensor kind
+///         specifies; for an image, one. The ground is that at the end of the scan.
 class ScanCaster {
  public:
-  /// Keeps references to all.
+  /// Keeps references to all arguments.
   ScanCaster(const Scenario& scenario, const SceneAssembly& assembly, const RecordedStage& stage,
              const std::vector<RecordedMotion>& machines, int threads);
 
-  /// One scan of a sensor of machine `machine`.
+  /// A scan or image of a sensor of one machine.
   struct Scan {
     TimeNs t_ns = 0;     ///< recorded time stamp
-    TimeNs span_ns = 0;  ///< duration of its rays, a revolution; 0: an image
+    TimeNs span_ns = 0;  ///< duration of a revolution; 0 for an image
     RecordedStage::Moment moment;
   };
   std::vector<SimulatedReturn> Cast(std::size_t machine, const SensorDescription& sensor,
@@ -50,12 +50,12 @@ class ScanCaster {
   RayScene scene_;
   std::vector<Surface> surface_;  ///< one per instance
 
-  /// Present state of the scene.
+  /// State that the scene currently has.
   TimeNs posed_start_ns_ = 0, posed_span_ns_ = -1;
   const TerrainSurface* posed_ground_ = nullptr;
   std::size_t posed_machine_ = 0;
   int posed_link_ = -1;
-  std::vector<BodyState> link_;  ///< at equal steps
+  std::vector<BodyState> link_;  ///< motion of the sensor's link, at equal time steps of the scan
 };
 
 }  // namespace tera

@@ -8,9 +8,9 @@ namespace tera {
 /// Combined effect of a sensor's mechanisms on its mount, ranges and clock.
 ///
 /// Frames  B link, T true sensor.
-/// Model   X_BT of sensors/slots/true_mount.h; reported range (depth for a depth camera)
-///         = range_factor * true range + range_bias_m; time stamp = true time + clock_offset_s.
-/// Omits   effects that vary between points or scans: outliers, quantisation, drift, jitter.
+/// Model   X_BT as in sensors/slots/true_mount.h. Reported range (for a depth camera, depth) =
+///         range_factor * true range + range_bias_m. Time stamp = true time + clock_offset_s.
+/// Omits   effects that differ between points or scans: outliers, quantisation, drift, jitter.
 struct SensorCalibration {
   Pose X_BT = Pose::Identity();
   double range_factor = 1;

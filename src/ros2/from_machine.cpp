@@ -19,7 +19,7 @@ TransformStamped RootInWorld(TimeNs t_ns, const ScenarioMachine& machine,
   return {{t_ns, kWorldFrame}, LinkFrame(machine, 0), state.links[0].X_WB};
 }
 
-/// Appends either the fixed or the movable joints.
+/// Appends the transforms of either the fixed or the movable joints.
 void AppendJoints(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state,
                   bool fixed, std::vector<TransformStamped>* transforms) {
   for (const Joint& joint : machine.placement.model.joints) {

@@ -7,37 +7,37 @@
 #include "sim/end_effector.h"
 #include "sim/scenario/scenario.h"
 
-/// True machine states as ROS messages.
+/// Convert true machine states to ROS messages.
 
 namespace tera::ros {
 
-/// The root link in the world.
+/// Pose and velocity of the root link in the world.
 Odometry OdometryMessage(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state);
 
-/// All movable joints, followed by the running gears, with the machine description's names. The
-/// frame is the root link's.
+/// All movable joints, then the running gears, named as in the machine description. The frame is
+/// that of the root link.
 JointState JointStateMessage(TimeNs t_ns, const ScenarioMachine& machine,
                              const MachineState& state);
 
-/// Stroke (m), rate and force (N, positive for extension) of each cylinder. Values of parallel
-/// cylinders refer to a single one of them. Names are the machine description's.
+/// Stroke (m), rate and force (N, positive when extending) of each cylinder, named as in the
+/// machine description. For parallel cylinders, the values are those of one cylinder.
 JointState CylindersMessage(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state);
 
-/// Moving frames: the root in the world, unless fixed, and the child of each movable joint in its
-/// parent.
+/// Frames that move: the root in the world, unless fixed, and the child of each movable joint in
+/// its parent.
 std::vector<TransformStamped> MovingTransforms(TimeNs t_ns, const ScenarioMachine& machine,
                                                const MachineState& state);
 
-/// Static frames: a fixed root in the world, children of fixed joints, sensors on their links, and
-/// optical frames of cameras.
+/// Frames that never move: a fixed root in the world, children of fixed joints, sensors on their
+/// links, and optical frames of cameras.
 std::vector<TransformStamped> StaticTransforms(TimeNs t_ns, const ScenarioMachine& machine,
                                                const MachineState& state);
 
-/// The tool's frame T in the root link's frame.
+/// Pose of the tool frame T in the frame of the root link.
 PoseStamped EndEffectorMessage(TimeNs t_ns, const ScenarioMachine& machine,
                                const MachineState& state, const EndEffector& tool);
 
-/// Soil mass in the tool, in kilogrammes.
+/// Soil mass in the tool in kg.
 Float64 BucketMassMessage(const MachineState& state, const EndEffector& tool);
 
 }  // namespace tera::ros

@@ -13,45 +13,46 @@
 
 namespace tera::ros {
 
-/// Field of DeltaCAN for a lever; see FieldOfLever.
+/// Field of DeltaCAN for a lever (FieldOfLever); null if there is none.
 float DeltaCan::*FieldOf(const Lever& lever);
 
-/// Fault of a message: a lever outside -1 to 1 or NaN, `others` of wrong length, or an invalid
-/// stamp.
+/// Describes the fault of a message: a lever that is NaN or outside [-1, 1], `others` of a wrong
+/// length, or an invalid stamp. Returns nullopt for a valid message.
 std::optional<std::string> FaultOf(const DeltaCan& message, const MachineModel& model);
 
-/// Levers of `model` in a valid message. Fields without a lever are ignored.
+/// Command in a valid message for a machine of type `model`. Fields for levers that the machine
+/// does not have are ignored.
 ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model);
 
-/// Selection of the valid messages that drive a machine.
+/// Selection of the valid messages that a machine obeys.
 enum class Obey {
   kLast,    ///< the latest message, with any stamp
-  kAnswers  ///< lockstep: the first message stamped with the present simulated time
+  kAnswers  ///< lockstep: the first message whose stamp is the current simulated time
 };
 
-/// Lever messages of all machines, at /<machine>/delta_can.
+/// Lever messages on the topics /<machine>/delta_can.
 class LeverInput {
  public:
   using Log = std::function<void(const std::string&)>;
 
-  /// Subscribes for each machine with levers. Keeps references to all arguments. `log` receives
-  /// refused and unasked messages number 1, 10, 100 and so on.
+  /// Subscribes for each machine that has levers. Keeps references to all arguments. `log` receives
+  /// a line for every 1st, 10th, 100th, ... refused or ignored message.
   LeverInput(const Scenario& scenario, Participant* participant, Obey obey, Log log);
 
-  /// Takes the messages that arrived by the simulated time `now_ns`. Passes each machine's selected
-  /// new message to `command(machine, message)`.
+  /// Takes all messages that have arrived. For each machine, passes the message to obey, if any, to
+  /// `command(machine, message)`. `now_ns` is the simulated time.
   void Take(TimeNs now_ns, const std::function<void(std::size_t, const ControlMessage&)>& command);
 
-  /// True if the machine has a lever publisher.
+  /// True if the machine's topic has a publisher.
   bool HasPublisher(std::size_t machine) const;
-  /// True if a valid message stamped `now_ns` has been taken for the machine.
+  /// True if a valid message with the stamp `now_ns` was taken.
   bool Answered(std::size_t machine, TimeNs now_ns) const;
-  /// Latest stamp of the machine's valid messages, future stamps excluded; -1 without a message.
+  /// Latest stamp of valid messages, apart from future stamps; -1 if there is none.
   TimeNs HeardOf(std::size_t machine) const { return inputs_[machine].heard_ns; }
 
-  std::int64_t received() const { return received_; }  ///< valid messages
+  std::int64_t received() const { return received_; }  ///< number of valid messages
   std::int64_t refused() const { return refused_; }
-  /// Valid messages ignored in lockstep: another stamp, or repeated answers.
+  /// Valid messages that lockstep ignored: with another stamp, or repeated answers.
   std::int64_t unasked() const { return unasked_; }
 
  private:
@@ -59,7 +60,7 @@ class LeverInput {
     std::optional<Participant::ReaderId> reader;
     TimeNs answered_ns = -1, heard_ns = -1;
   };
-  /// True if the valid message drives the machine.
+  /// True if the machine obeys this valid message.
   bool IsObeyed(std::size_t machine, TimeNs now_ns, const DeltaCan& message);
   void Refuse(std::size_t machine, const std::string& fault);
   void LeaveUnasked(std::size_t machine, TimeNs now_ns, TimeNs stamp_ns);

@@ -24,13 +24,12 @@ void RequireRate(double rate_hz, double physics_rate_hz) {
                                 rate_hz, physics_rate_hz)});
 }
 
-/// End time of a run, which may be infinite.
+/// Time at which a run ends; it may be infinite.
 TimeNs EndOf(double duration_s) {
   constexpr TimeNs kNever_ns = std::numeric_limits<TimeNs>::max();
   return duration_s < ToSeconds(kNever_ns) ? FromSeconds(duration_s) : kNever_ns;
 }
 
-/// A run with its publishers and subscribers.
 class Session {
  public:
   Session(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,

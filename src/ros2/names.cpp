@@ -28,7 +28,7 @@ void RequireRosName(const std::string& kind, const std::string& name) {
                    kind, name)});
 }
 
-/// A link's name is the end of a frame name, and may itself be a path.
+/// The name of a link is the last part of a frame name, and may itself consist of several parts.
 void RequireFrameName(const ScenarioMachine& machine, const std::string& link) {
   bool names = true;
   for (std::size_t begin = 0; names && begin <= link.size();) {

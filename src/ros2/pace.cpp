@@ -9,7 +9,7 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-/// Interval between repetitions of /clock.
+/// Interval after which /clock is repeated.
 constexpr double kPatience_s = 0.05;
 
 }  // namespace

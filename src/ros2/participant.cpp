@@ -14,7 +14,7 @@ namespace {
 
 using Qos = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
 
-/// Common settings of all ROS 2 topics: CDR version 1, non-blocking writes.
+/// Settings of all ROS 2 topics: CDR version 1, and writes that do not block.
 Qos MakeQos(dds_reliability_kind_t reliability, dds_durability_kind_t durability, int depth) {
   Qos qos(dds_create_qos(), &dds_delete_qos);
   const dds_data_representation_id_t cdr = DDS_DATA_REPRESENTATION_XCDR1;
@@ -46,10 +46,10 @@ Qos QosOf(Delivery delivery) {
 
 constexpr int kLeverDepth = 10;
 
-/// Cyclone settings; CYCLONEDDS_URI overrides them. A writer's depth alone bounds its history, so a
-/// reader without acknowledgements delays no other reader. The loopback interface seldom announces
-/// its multicast capability. Participants of this host therefore find each other by multicast and
-/// by successive ports.
+/// Settings of Cyclone; CYCLONEDDS_URI overrides them. The history of a writer is bounded only by
+/// its depth, so a reader that does not acknowledge does not delay others. The loopback interface
+/// often does not report that it supports multicast. Participants on this computer therefore find
+/// each other by multicast and by trying successive ports.
 std::string Settings(bool this_host_only) {
   std::string settings =
       "<Internal><Watermarks><WhcHigh>1GB</WhcHigh><WhcHighInit>1GB</WhcHighInit></Watermarks>"
@@ -79,7 +79,7 @@ struct Participant::Impl {
   std::vector<dds_entity_t> readers;
   std::int64_t published = 0, dropped = 0;
 
-  /// Also deletes the contained entities.
+  /// Also deletes all entities of the participant.
   ~Impl() {
     if (participant > 0) dds_delete(participant);
     if (domain > 0) dds_delete(domain);

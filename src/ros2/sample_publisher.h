@@ -12,20 +12,21 @@
 
 namespace tera::ros {
 
-/// Publishes the sensors' measurements as ROS topics below each machine's name.
+/// Publishes sensor measurements on topics named after the machine and sensor.
 ///
-/// Model   a message is sent in the step in which its measurement becomes available (t_available).
-///         Its stamp is the measurement's time of validity. Images and scans without a subscriber
-///         are neither measured nor sent. A sensor that gives rows and has no message type of its
-///         own is sent as JointState (JointStateOfRow).
-/// Omits   truth tables and poses: StatePublisher covers them as far as ROS has messages.
+/// Model   A message is published in the step in which its measurement becomes available
+///         (t_available). Its stamp is the time of validity. Images and scans without a subscriber
+///         are neither rendered nor published. A row sensor without a ROS message type is published
+///         as JointState (JointStateOfRow).
+/// Omits   ground-truth tables and poses; StatePublisher publishes those for which ROS has
+///         messages.
 class SamplePublisher : public MeasurementSink {
  public:
-  /// Copies the required parts of `scenario`, whose names must be valid in ROS (RequireRosNames).
-  /// The participant must outlive this object.
+  /// Copies what it needs of `scenario`, whose names must be valid in ROS (RequireRosNames). The
+  /// participant must outlive the object.
   SamplePublisher(const Scenario& scenario, Participant* participant);
 
-  /// Sends the messages available by `now_ns`.
+  /// Publishes all messages that are available by `now_ns`.
   void PublishDue(TimeNs now_ns);
 
   ChannelId AddChannel(const ChannelInfo& info) override;
@@ -35,12 +36,12 @@ class SamplePublisher : public MeasurementSink {
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
  private:
-  /// Topics of one sensor by content ("image", "camera_info"); empty for a table.
+  /// Topics of one sensor by content, such as "image" or "camera_info"; empty for a table.
   struct Channel {
     SensorDescription sensor;
     std::string machine, frame_id;
     std::map<std::string, Participant::WriterId> topics;
-    /// Topic and message of a row, for a row sensor.
+    /// For a row sensor: its topic, and the conversion of rows to messages.
     std::string row_topic;
     std::function<Message(const RowSample&)> row_message;
   };
@@ -53,14 +54,14 @@ class SamplePublisher : public MeasurementSink {
   void AddTopic(const std::string& below, Delivery delivery, Channel* channel);
   template <typename M, typename MessageOf>
   void AddRowTopic(const std::string& below, const MessageOf& message_of, Channel* channel);
-  // Topic setup for each channel type; AddRows serves all other row types.
+  // Create the topics of a channel, by type. AddRows is for all other types of row sensors.
   void AddImu(const ChannelInfo& info, Channel* channel);
   void AddGnss(const ChannelInfo& info, Channel* channel);
   void AddCamera(const ChannelInfo& info, Channel* channel);
   void AddLidar(const ChannelInfo& info, Channel* channel);
   void AddRows(const ChannelInfo& info, Channel* channel);
 
-  /// Sends `make()` at `at_ns` if the channel's topic has a subscriber.
+  /// Queues `make()` for the time `at_ns` if the topic has a subscriber.
   template <typename Make>
   void Send(const Channel& channel, const std::string& topic, TimeNs at_ns, const Make& make);
   void Write(const Channel& channel, const RowSample& row);

@@ -9,17 +9,18 @@
 
 namespace tera::ros {
 
-/// Publishes time and true machine states: /clock, /tf, /tf_static. Below each machine it publishes
-/// odom, joint_states, cylinders if present, and ee_pose and bucket_mass for a shovel that carries
-/// soil.
+/// Publishes time and true machine states: /clock, /tf and /tf_static. For each machine it
+/// publishes odom and joint_states; cylinders if the machine has any; and ee_pose and bucket_mass
+/// if it has a shovel that can carry soil.
 class StatePublisher {
  public:
-  /// Sends /tf_static at once. Keeps references to all arguments except `start`.
+  /// Publishes /tf_static at once. Keeps references to all arguments except `start`.
   StatePublisher(const Scenario& scenario, const WorldState& start, Participant* participant);
 
-  /// Publishes one instant, /clock last, so that its receivers already have the other messages.
+  /// Publishes the state at one instant. /clock comes last, so that its receivers already have the
+  /// other messages.
   void Publish(const WorldState& state);
-  /// Repeats /clock alone.
+  /// Publishes the last /clock message again.
   void RepeatClock();
 
  private:

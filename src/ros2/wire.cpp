@@ -19,14 +19,13 @@ namespace {
 
 constexpr std::size_t kEncodingBytes = 4;
 
-/// Reads the fields of a message in CDR of either byte order.
+/// Reads the fields of a CDR message of either byte order.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view bytes) : bytes_(bytes) {
     is_whole_ = bytes.size() >= kEncodingBytes && bytes[0] == 0 && (bytes[1] & ~1) == 0;
     is_swapped_ = is_whole_ && bytes[1] == 0;
   }
-  /// True if all requested fields were present.
   bool is_whole() const { return is_whole_; }
 
   template <typename T>
@@ -78,7 +77,7 @@ class FieldReader {
   void Fail() { is_whole_ = false; }
 
   std::string_view bytes_;
-  std::size_t at_ = 0;  ///< offset after the encoding header
+  std::size_t at_ = 0;  ///< offset, counted after the encoding header
   bool is_whole_, is_swapped_;
 };
 
@@ -89,23 +88,24 @@ std::optional<DeltaCan> LeversOf(std::string_view bytes) {
   return reader.is_whole() ? std::optional(std::move(message)) : std::nullopt;
 }
 
-/// "std_msgs::msg::dds_::Header_"
+/// Name of a type in DDS, such as "std_msgs::msg::dds_::Header_".
 std::string WireTypeName(std::string_view type) {
   const std::size_t slash = type.find('/');
   return fmt::format("{}::msg::dds_::{}_", type.substr(0, slash), type.substr(slash + 1));
 }
 
-/// A message to write; Cyclone takes over its bytes.
+/// A message to write. Cyclone takes over its bytes.
 struct Sample {
   mutable std::string bytes;
 };
 
-/// A message in Cyclone's form, or the key of a message; no type has a key.
+/// A message in Cyclone's representation, or its key. No type has a key.
 struct WireData : ddsi_serdata {
   WireData(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string message = {})
       : ddsi_serdata{}, bytes(std::move(message)) {
     ddsi_serdata_init(this, type, kind);
-    // DDSI sends multiples of four bytes; the fourth byte of the encoding counts the padding.
+    // DDSI transmits multiples of four bytes. The fourth byte of the encoding header is the number
+    // of padding bytes.
     const std::size_t padding = (4 - bytes.size() % 4) % 4;
     if (padding == 0) return;
     bytes.append(padding, '\0');
@@ -118,7 +118,7 @@ const std::string& BytesOf(const ddsi_serdata* data) {
   return static_cast<const WireData*>(data)->bytes;
 }
 
-/// Data of received bytes; null for an invalid message.
+/// Converts received bytes; null for an invalid message.
 ddsi_serdata* Received(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string bytes) {
   static const std::string levers = WireTypeName(DeltaCan::kType);
   if (kind == SDK_DATA && type->type_name == levers && !LeversOf(bytes)) return nullptr;
@@ -195,7 +195,7 @@ constexpr ddsi_serdata_ops kDataOps = {
 #endif
 };
 
-/// Cyclone writes messages from Sample and reads them as bytes, so it never constructs a message.
+/// Cyclone takes messages as Sample and returns them as bytes, so it never needs to construct one.
 constexpr ddsi_sertype_ops kTypeOps = {
     .version = ddsi_sertype_v0,
     .arg = nullptr,
@@ -237,7 +237,7 @@ dds_entity_t CreateTopic(dds_entity_t participant, const std::string& name, std:
   ddsi_sertype* taken = own.get();
   const dds_entity_t topic =
       dds_create_topic_sertype(participant, name.c_str(), &taken, nullptr, nullptr, nullptr);
-  if (topic > 0) own.release();  // Cyclone owns it
+  if (topic > 0) own.release();  // Cyclone now owns the type
   return topic;
 }
 
@@ -254,7 +254,7 @@ dds_return_t TakeFromWire(dds_entity_t reader, int most, std::vector<DeltaCan>* 
   const dds_return_t count = dds_takecdr(reader, data.data(), static_cast<std::uint32_t>(most),
                                          infos.data(), DDS_ANY_STATE);
   for (int i = 0; i < count; ++i) {
-    // A sample without data only reports a publisher's arrival or departure.
+    // A sample without data only reports that a publisher appeared or left.
     if (infos[i].valid_data) messages->push_back(*LeversOf(BytesOf(data[i])));
     ddsi_serdata_unref(data[i]);
   }

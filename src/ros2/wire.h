@@ -8,24 +8,24 @@
 
 #include "dataset/ros/messages.h"
 
-/// Plain messages as bytes for Cyclone DDS. Cyclone knows only the names of their types;
-/// message_fields.h defines their content.
+/// Passes messages to and from Cyclone DDS as bytes. Cyclone knows only the names of the message
+/// types; message_fields.h defines their content.
 ///
-/// Source  rmw_cyclonedds, which uses the same approach.
+/// Source  rmw_cyclonedds, which works the same way.
 
 namespace tera::ros {
 
-/// Creates a participant's topic, "rt/clock", for messages of a type, "rosgraph_msgs/Clock". A
-/// negative result is Cyclone's error.
+/// Creates a topic such as "rt/clock" with a type such as "rosgraph_msgs/Clock". A negative result
+/// is an error of Cyclone.
 dds_entity_t CreateTopic(dds_entity_t participant, const std::string& name, std::string_view type);
-/// Type of the alternative `index` of Message.
+/// Type name of the alternative `index` of Message.
 std::string_view TypeOf(std::size_t index);
 
-/// Passes `message` to `writer`, whose topic must have its type.
+/// Writes `message`. Its type must be that of the writer's topic.
 dds_return_t WriteOnWire(dds_entity_t writer, const Message& message);
 
-/// Takes up to `most` waiting messages of `reader`, oldest first. Incomplete messages are rejected
-/// earlier. A negative result is Cyclone's error.
+/// Takes up to `most` messages from `reader`, oldest first. Incomplete messages have been rejected
+/// on arrival. A negative result is an error of Cyclone.
 dds_return_t TakeFromWire(dds_entity_t reader, int most, std::vector<DeltaCan>* messages);
 
 }  // namespace tera::ros

@@ -18,13 +18,13 @@
 namespace tera {
 namespace {
 
-/// A sensor type of the paper's format. Rates fill gaps of the format with the paper's set-up where
-/// it names one.
+/// A sensor type of the input. Rates come from the set-up in the paper where it states them.
 struct ForeignType {
   std::string name;
-  std::string head;    ///< preset or type line of the sensor's item
+  std::string head;    ///< preset or type line of the output
   double rate_hz = 0;  ///< 0: rate of the preset
-  enum class Mean { kNone, kConstant, kRangeBias } mean = Mean::kNone;  ///< conversion of a mean
+  /// meaning of a mean in the output
+  enum class Mean { kNone, kConstant, kRangeBias } mean = Mean::kNone;
   std::string (*noise)(double mean, double std) = nullptr;  ///< null: noise of the preset
 };
 
@@ -56,8 +56,8 @@ std::string Capitals(std::string_view name) {
   return capitals;
 }
 
-/// The paper's types, and every other link-mounted sensor kind with row samples. The latter use the
-/// preset of their own name.
+/// The types of the paper, and every other link-mounted sensor kind with row samples. The latter
+/// use the preset of their own name.
 std::vector<ForeignType> ForeignTypes() {
   using Mean = ForeignType::Mean;
   const std::string presets = "preset: tera:config/sensors/";
@@ -190,7 +190,7 @@ ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   return s;
 }
 
-/// Item of a sensor list; each line starts with `indent`.
+/// YAML item of a sensor list; each line starts with `indent`.
 std::string SensorItem(const ForeignSensor& s, const std::string& indent) {
   const Vec3 p = s.X_BS.translation();
   const Vec3 rpy_deg = RpyFromRotation(s.X_BS.linear()) / kDeg;
@@ -214,7 +214,7 @@ struct ForeignMachine {
   std::vector<ForeignSensor> sensors;
 };
 
-/// `name` is the key of a machine in a mapping; otherwise empty.
+/// `name` is the key of the machine in a mapping, else empty.
 ForeignMachine ReadForeignMachine(const std::string& name, const ConfigMap& config) {
   ForeignMachine machine;
   machine.id = name.empty() ? config.Text("id") : config.Text("id", name);

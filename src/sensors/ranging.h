@@ -8,7 +8,7 @@
 #include "core/time.h"
 #include "core/types/measurement.h"
 
-/// Comparison of a ranging sensor with a scene: its rays, and the points of a measurement.
+/// A ranging sensor as the scenario models it, for comparison of recorded ranges with the scene.
 
 namespace tera {
 
@@ -26,7 +26,7 @@ struct RangeScan {
   std::vector<RangePoint> points;
 };
 
-/// A recorded scan, or the obstacle to its comparison with the scenario's sensor.
+/// A recorded scan, or the reason why it cannot be compared with the scenario's sensor.
 struct LoadedScan {
   RangeScan scan;
   std::string obstacle;  ///< reason; empty if comparable
@@ -35,11 +35,11 @@ struct LoadedScan {
 /// Ranging properties of a sensor.
 struct Ranging {
   double min_range_m = 0, max_range_m = 0;
-  bool is_planar = false;  ///< reports x of a point in S instead of its distance
-  TimeNs span_ns = 0;      ///< duration of one measurement's rays; 0: simultaneous
-  int scene_poses = 1;     ///< number of body poses over the duration
-  /// Points of a measurement in the documented S, about `most` of them. The sensor's model supplies
-  /// the noise.
+  bool is_planar = false;  ///< reports x of a point in S (depth) instead of its distance
+  TimeNs span_ns = 0;      ///< time between the first and the last ray of a measurement
+  int scene_poses = 1;     ///< number of body poses over this time
+  /// About `most` points of a measurement, in the documented S. The noise comes from the sensor's
+  /// model.
   LoadedScan (*points)(const SensorDescription& sensor, const Measurement& recorded,
                        std::size_t most) = nullptr;
 };

@@ -15,7 +15,7 @@ Pose SensedStep::LinkAt(int link, double s) const {
 }
 
 KeptScene SensedScene::Keep() const {
-  const std::shared_ptr<const void> nobody;  // non-owning; the scene owns the objects
+  const std::shared_ptr<const void> nobody;  // the scene owns the objects
   return {{nobody, &ground()}, ShapesNow(), {nobody, air().dust}};
 }
 

@@ -12,7 +12,7 @@
 #include "physics/description/machine.h"
 #include "render/scene.h"
 
-/// Drives active sensors through the physics steps, each at its own sample times.
+/// Sampling of active sensors over the physics steps, each at its own times.
 
 namespace tera {
 
@@ -21,22 +21,22 @@ class SiteFrame;
 class RasterizerPool;
 struct SensorDescription;
 
-/// Airborne matter of a scene.
+/// Dust, precipitation and fog in a scene.
 struct SensedAir {
   const DustVolume* dust = nullptr;  ///< null: no dust
   double rain_mmph = 0;
   double snowfall_mmph = 0;
-  double visibility_m = 0;  ///< in fog and haze; 0: not stated, clear
+  double visibility_m = 0;  ///< visibility in fog and haze; 0 for clear air
 };
 
-/// Inputs of an image other than poses, at the end of a step.
+/// Inputs of an image at the end of a step, apart from poses.
 struct KeptScene {
   std::shared_ptr<const TerrainSurface> ground;
   Shapes shapes;
   std::shared_ptr<const DustVolume> dust;  ///< null: no dust
 };
 
-/// The scene around a rig during the sampled step, for exteroceptive sensors.
+/// The scene around a rig during a step, for cameras and lidars.
 class SensedScene {
  public:
   virtual ~SensedScene() = default;
@@ -50,9 +50,8 @@ class SensedScene {
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
   /// The air at the end of the step.
   virtual SensedAir air() const { return {}; }
-  /// Scene data that stay constant while held. With concurrent rasterizers, the data remain valid
-  /// through later steps, otherwise until the end of the step. The requesting thread must release
-  /// them.
+  /// Scene data that do not change while held. With concurrent rasterizers they stay valid through
+  /// later steps, otherwise until the end of the step. The requesting thread must release them.
   virtual KeptScene Keep() const;
   virtual RasterizerPool* rasterizers() const = 0;
   virtual RayScene* ray_scene() const = 0;
@@ -60,7 +59,7 @@ class SensedScene {
   virtual int threads() const = 0;
 };
 
-/// One step as seen by a sensor: the machine at both ends, and the scene. At the start of a run
+/// One step as a sensor sees it: the machine at both ends, and the scene. At the start of a run
 /// both ends are equal.
 struct SensedStep {
   TimeNs t0_ns = 0, t1_ns = 0;
@@ -69,9 +68,9 @@ struct SensedStep {
   const SiteFrame& site;
   const SensedScene& scene;
 
-  /// Position of `t_ns` between the ends, 0 to 1.
+  /// Position of `t_ns` in the step, 0 to 1.
   double FractionAt(TimeNs t_ns) const;
-  /// X_WB of a link of the machine at the fraction `s`.
+  /// X_WB of a link of the machine at fraction `s` of the step.
   Pose LinkAt(int link, double s) const;
 };
 
@@ -81,30 +80,30 @@ struct SensorOutput {
   ChannelId channel;
 };
 
-/// Construction parameters of a sampler. References need to outlive only the construction.
+/// Construction parameters of a sampler. The references need to be valid only during construction.
 struct SensorPlace {
   const SensorDescription& sensor;
   const std::vector<SensorDescription>& rig;  ///< all sensors of the machine
   const MachineModel& machine;
-  std::string folder;  ///< "excavator1/imu_boom", base of its channel and random streams
+  /// for example "excavator1/imu_boom", the base of its channel and random streams
+  std::string folder;
   std::uint64_t seed;
   SensorOutput output;
 };
 
-/// One active sensor. Steps are contiguous.
+/// One active sensor. It receives contiguous steps.
 class SensorSampler {
  public:
   virtual ~SensorSampler() = default;
-  /// Measures the samples due at the start of the run.
+  /// Takes the samples due at the start of the run.
   virtual void SampleStart(const SensedStep& step) { Sample(step); }
-  /// Measures the samples due in the step, including its end.
+  /// Takes the samples due in the step, including its end.
   virtual void Sample(const SensedStep& step) = 0;
-  /// Writes samples that depend on the step after the run's last step. The step produces no other
-  /// measurements.
+  /// Writes the samples that would depend on a step after the end of the run.
   virtual void Finish(const SensedStep&) {}
   /// True if the sampler queries body poses from earlier steps.
   virtual bool LooksBack() const { return false; }
-  /// Oldest time at which the sampler may still query body poses.
+  /// Oldest time at which the sampler may query body poses.
   virtual TimeNs SceneNeededSince(TimeNs now_ns) const { return now_ns; }
 };
 

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// Exceeds the rate of any real sensor; the period stays far above a nanosecond.
+/// Exceeds the rate of any real sensor and keeps the period far above a nanosecond.
 constexpr double kFastest_hz = 1e5;
 
 /// Reads the name of a sensor kind.

@@ -21,7 +21,7 @@ namespace tera {
 
 struct SensorDescription;
 
-/// True mounting of a sensor, slot `sensor_geometry`.
+/// True mounting of a sensor, after effects of the slot `sensor_geometry`.
 struct Mounting {
   std::string link;
   Pose X_BT = Pose::Identity();
@@ -30,30 +30,29 @@ struct Mounting {
 /// All sensors of one machine.
 using SensorList = std::vector<SensorDescription>;
 
-/// Complete definition of one sensor kind. All sensor-independent code iterates over the table of
-/// kinds (sensor_kinds.h): rigs, readers of scenarios and effects, re-simulation, `tera serve` and
-/// `tera ros2`.
-///
-/// A null function pointer, where allowed, means that the kind lacks this feature.
+/// Complete definition of one sensor kind. All other code iterates over the table of kinds
+/// (sensor_kinds.h). This includes rigs, readers of scenarios and effects, re-simulation, `tera
+/// serve` and `tera ros2`. Function pointers marked "may be null" are null for a kind without the
+/// feature.
 struct SensorKind {
-  std::string_view name;  ///< `type:` in YAML, and of its channel: "imu"
+  std::string_view name;  ///< `type:` in YAML and name of the channel, for example "imu"
   EffectTarget target;    ///< target of its effects
   ChannelForm form = ChannelForm::kRows;
   bool on_link = true;    ///< mounted on a link at X_BS
   double slowest_hz = 0;  ///< lower bound of `rate_hz`; 0: any positive rate
 
-  /// Reads the model's keys; mounting and clock of the description are already set.
+  /// Reads the keys of the model. Mounting and clock of the description are already set.
   void (*read)(const ConfigMap& config, SensorDescription* sensor);
-  /// The model's keys as YAML, indented by two blanks.
+  /// The keys of the model as YAML, indented by two blanks.
   std::string (*model_yaml)(const SensorDescription& sensor);
-  /// Column names with units, for a kind with row samples. May be null.
+  /// Column names with units, for kinds with row samples. May be null.
   std::vector<std::string> (*columns)(const SensorDescription& sensor,
                                       const MachineModel& machine) = nullptr;
-  /// Image content, for an imaging kind. May be null.
+  /// Image content, for imaging kinds. May be null.
   const PictureContent* (*pictures)(const SensorDescription& sensor) = nullptr;
-  /// Scan content, for a scanning kind. May be null.
+  /// Scan content, for scanning kinds. May be null.
   ScanContent (*scans)(const SensorDescription& sensor) = nullptr;
-  /// Ranging properties, or nullopt for a sensor of this kind without ranges. May be null.
+  /// Ranging properties; empty for a sensor of this kind without ranges. May be null.
   std::optional<Ranging> (*ranging)(const SensorDescription& sensor) = nullptr;
   /// Unoccluded field of view. May be null.
   ViewField (*view)(const SensorDescription& sensor) = nullptr;
@@ -61,18 +60,18 @@ struct SensorKind {
 
   /// Mechanisms in addition to the common ones (sensor_mechanisms.h). May be null.
   std::vector<Mechanism> (*mechanisms)() = nullptr;
-  /// Reports effects that cannot change the sensor's measurements. `effects` has the machine's
-  /// targets with their effects. May be null.
+  /// Reports effects that cannot change the measurements. `effects` maps the targets of the machine
+  /// to their effects. May be null.
   void (*check_effects)(const ConfigMap& effects, const MachineModel& machine,
                         const SensorDescription& sensor, const SensorList& rig) = nullptr;
-  /// True mounting by its effects, if TrueMount does not suffice. May be null.
+  /// True mounting, if TrueMount does not suffice. May be null.
   Mounting (*true_mounting)(const SensorDescription& sensor, const SensorList& rig) = nullptr;
 
-  /// Axes with their own effects, with target `axis_target`. May be null.
+  /// Axes with effects of their own, which have the target `axis_target`. May be null.
   std::vector<EncoderAxis> (*axes)(const SensorDescription& sensor,
                                    const MachineModel& machine) = nullptr;
   EffectTarget axis_target;
-  /// Reports names in the sensor's keys that are absent from the machine. May be null.
+  /// Reports names in the keys that do not exist on the machine. May be null.
   void (*check_names)(const ConfigMap& config, const SensorDescription& sensor,
                       const MachineModel& machine) = nullptr;
 };

@@ -11,8 +11,8 @@
 #include "sensors/lidar/lidar.h"
 #include "sensors/sensor_kind.h"
 
-// All sensor kinds. Each kind has its own folder. Its model is an alternative of SensorModel, at
-// the same position as its entry in the table (docs/extending.md, "Add a sensor").
+// All sensor kinds. The model of a kind has the same index in SensorModel as the kind in
+// kSensorKinds (docs/extending.md, "Add a sensor").
 
 namespace tera {
 

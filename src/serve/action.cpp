@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Norm tolerance of a quaternion, which covers a sender's rounding.
+/// Tolerance of a quaternion's norm, which allows for rounding by the client.
 constexpr double kUnitTolerance = 1e-4;
 
 ControlMessage::ToolPose ToolPoseOf(const v1::ToolPose& pose) {

@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// All levers at rest.
+/// A command with all levers in neutral position.
 ControlMessage Neutral(const MachineModel& model);
 
-/// Commands of a step by machine index. Throws InputError for absent or repeated machines, and for
-/// faults that FaultOf finds.
+/// Commands of a step by machine index. Throws InputError if a machine does not exist or is
+/// repeated, and for faults that FaultOf finds.
 std::map<std::size_t, ControlMessage> CommandsOf(const v1::Step& step, const Scenario& scenario);
 
 }  // namespace tera

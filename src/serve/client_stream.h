@@ -11,26 +11,26 @@
 
 namespace tera {
 
-/// A client's call as a stream of byte buffers, with blocking reads and writes from a single
-/// thread. gRPC calls it from its own threads, owns it, and deletes it after End.
+/// The call of a client, as a stream of byte buffers with blocking reads and writes. Only one
+/// thread may read and write. gRPC owns the object and deletes it after End.
 class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   enum class Heard {
     kMessage,
     kEnd,      ///< the client closed its side or died, or gRPC rejected its data
-    kSilence,  ///< no message in time; only End may follow
-    kStopped   ///< the server stops; only End may follow
+    kSilence,  ///< no message within the time limit; only End may be called next
+    kStopped   ///< the server is stopping; only End may be called next
   };
-  /// Waits for a message, indefinitely unless `within` is given.
+  /// Waits for a message, without a time limit unless `within` is given.
   Heard Read(grpc::ByteBuffer* buffer, std::optional<std::chrono::milliseconds> within = {});
-  /// Returns false without a reader.
+  /// Returns false if the client no longer reads.
   bool Write(const grpc::ByteBuffer& buffer);
-  /// Stops waiting for messages, because the server stops. Any thread may call it.
+  /// Ends the wait for messages because the server is stopping. Thread-safe.
   void Stop();
-  /// Ends the call; no use of this object may follow.
+  /// Ends the call. The object must not be used afterwards.
   void End(const grpc::Status& status) { Finish(status); }
 
-  /// True if the client died or the server stops. Any thread may call it.
+  /// True if the client died or the server is stopping. Thread-safe.
   bool cancelled() const { return cancelled_; }
 
  private:
@@ -39,14 +39,15 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   void OnCancel() override { cancelled_ = true; }
   void OnDone() override { delete this; }
   void Done(bool ok);
-  /// Waits for a read. Returns false after the time limit or a server stop.
+  /// Waits for the current read or write. Returns false at the time limit or if the server stops.
   bool Wait(std::optional<std::chrono::milliseconds> within = {});
 
-  grpc::ByteBuffer incoming_;  ///< outlives an abandoned read
+  grpc::ByteBuffer incoming_;  ///< a member, because gRPC may still write to it after a read is
+                               ///< abandoned
   std::atomic<bool> cancelled_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool done_ = false, ok_ = false;  ///< state of the current read or write
+  bool done_ = false, ok_ = false;  ///< state and result of the current read or write
   bool stopped_ = false;
 };
 

@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// Description of a scenario for a client.
+/// Converts a scenario to the description that clients receive.
 v1::Description Describe(const Scenario& scenario);
 
 }  // namespace tera

@@ -28,12 +28,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Upper bound that detects a mistyped step.
+/// Limit that rejects a mistyped step.
 constexpr double kLongestStep_s = 3600;
-/// Interval in simulated time at which a command is repeated, well below its timeout.
+/// Interval in simulated time after which a command is repeated. It is below the timeout of
+/// commands.
 constexpr double kRepeat_s = 0.5 * RemoteOperator::kTimeout_s;
 
-/// Number of physics steps in a request.
 std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   double steps = step.physics_steps();
   if (step.has_duration_s()) {
@@ -53,8 +53,8 @@ std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// The episode folder `ahead` places after that of the highest existing number, if episodes are
-/// recorded.
+/// Folder for the next recorded episode: its number is `ahead` above the highest existing number.
+/// Returns nullopt if episodes are not recorded.
 std::optional<fs::path> NextEpisode(const std::optional<fs::path>& folder, int ahead = 1) {
   if (!folder) return std::nullopt;
   int last = 0;
@@ -68,7 +68,7 @@ std::optional<fs::path> NextEpisode(const std::optional<fs::path>& folder, int a
   return *folder / fmt::format("episode_{:04}", last + ahead);
 }
 
-/// Power of the joints and gears that drive; those that brake take nothing back.
+/// Sum of the power of all joints and gears with positive power. Braking power is not subtracted.
 double DrivingPower_w(const MachineState& machine) {
   double power_w = 0;
   for (std::size_t j = 0; j < machine.effort_nm.size(); ++j) {
@@ -80,19 +80,19 @@ double DrivingPower_w(const MachineState& machine) {
   return power_w;
 }
 
-/// A run at its start, with what collects its samples.
+/// A run at its start, with the collector of its samples.
 struct Episode {
   std::unique_ptr<SampleKeeper> keeper;  ///< must outlive the run
   std::unique_ptr<LiveRun> run;
 };
 
-/// The episode that a Reset asks for.
+/// The episode that a Reset requests.
 struct ResetPlan {
   SeededScenario seeded;
   ObservationPlan observation;
 };
 
-/// Refuses observations of a batch that would not fit into one message.
+/// Throws InputError if the observations of a batch may not fit into one message.
 void RequireFits(double bytes) {
   if (bytes <= static_cast<double>(kLargestBatch_bytes)) return;
   throw InputError(
@@ -111,7 +111,7 @@ struct Shared {
   std::function<bool()> ended;
 };
 
-/// One episode after the other, driven by Resets and Steps.
+/// Consecutive episodes, driven by Reset and Step.
 class Environment {
  public:
   Environment(const Shared& shared, const v1::Description& description)
@@ -141,7 +141,7 @@ class Environment {
                            static_cast<double>(StepsOf(request, rate_hz)) / rate_hz);
   }
 
-  /// Records the episode in the folder `record`, if one is given.
+  /// Starts an episode. With `record`, it is recorded in that folder.
   v1::Observation Reset(const v1::Reset& request, const ResetPlan& plan,
                         const std::optional<fs::path>& record) {
     FinishEpisode();
@@ -158,7 +158,7 @@ class Environment {
     return observation;
   }
 
-  /// Returns nullopt if the session ends during the steps.
+  /// Returns nullopt if the session ends during the step.
   std::optional<v1::Observation> Step(const v1::Step& request) {
     const ObservationPlan plan = Plan(request);
     const double rate_hz = run_->scenario().physics_rate_hz;
@@ -179,7 +179,8 @@ class Environment {
  private:
   using Commands = std::map<std::size_t, ControlMessage>;
 
-  /// An episode that is made beside the steps of another, for the Reset that it fits.
+  /// The next episode, created in parallel with the steps of the current one. A Reset uses it if
+  /// seed and observation match.
   struct Prepared {
     std::uint64_t seed;
     std::string observe;
@@ -197,7 +198,7 @@ class Environment {
     return episode;
   }
 
-  /// Without a run, if no fitting episode is prepared.
+  /// Returns the prepared episode if it fits the request; otherwise an episode without a run.
   Episode TakePrepared(const v1::Reset& request) {
     std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
     if (!prepared) return {};
@@ -205,14 +206,15 @@ class Environment {
     try {
       episode = prepared->episode.get();
     } catch (const InputError&) {
-      return {};  // made again by the Reset, for whose answer the fault is
+      return {};  // the Reset creates the episode itself and reports the fault
     }
     const bool fits = request.has_seed() && request.seed() == prepared->seed &&
                       request.observe().SerializeAsString() == prepared->observe;
     return fits ? std::move(episode) : Episode();
   }
 
-  /// A recorded episode is not prepared: its folder appears when it begins.
+  /// Starts to create the next episode if the client announced its seed. Recorded episodes are not
+  /// prepared, because the folder must not appear before its episode begins.
   void PrepareNext(const v1::Reset& request) {
     if (!request.has_next_seed() || shared_.options.record) return;
     v1::Reset next = request;
@@ -254,7 +256,7 @@ class Environment {
     }
   }
 
-  /// Returns whether the episode's description differs from the last.
+  /// Returns true if the description of the episode differs from the previous one.
   bool DescribeAnew() {
     v1::Description description = Describe(run_->scenario());
     description.set_seed(description_.seed());
@@ -285,9 +287,9 @@ class Environment {
   v1::Description description_;
   std::unique_ptr<SampleKeeper> keeper_;  ///< must outlive the run
   std::unique_ptr<LiveRun> run_;
-  std::int64_t steps_ = 0;        ///< physics steps since the start
-  std::set<std::size_t> driven_;  ///< machines that a step has named
-  std::vector<double> work_j_;    ///< of each machine
+  std::int64_t steps_ = 0;        ///< physics steps since the start of the episode
+  std::set<std::size_t> driven_;  ///< machines that a step has commanded
+  std::vector<double> work_j_;    ///< driving work per machine
   std::optional<Prepared> prepared_;
 };
 
@@ -338,9 +340,9 @@ class LiveStage : public Stage {
   bool InEpisode() const override { return environments_[0]->InEpisode(); }
 
  private:
-  /// A turn as planned, before any of its batch is done.
+  /// A turn of a batch. All turns are planned before any is executed.
   struct TurnPlan {
-    std::exception_ptr fault;  ///< an InputError, which is to be the turn's answer
+    std::exception_ptr fault;  ///< an InputError with which the turn is answered
     std::optional<ResetPlan> reset;
     std::optional<fs::path> record;
     double bytes = 0;  ///< upper bound of the observation
@@ -364,7 +366,8 @@ class LiveStage : public Stage {
     });
   }
 
-  /// Numbers recordings in the order of turns. Throws InputError if the observations are too large.
+  /// Plans all turns; recordings are numbered in the order of turns. Throws InputError if the
+  /// observations are too large.
   std::vector<TurnPlan> PlanTurns(const v1::Batch& request) {
     std::vector<TurnPlan> plans(request.turns_size());
     ForTurns(request, [&](int k) {
@@ -389,7 +392,7 @@ class LiveStage : public Stage {
     return plans;
   }
 
-  /// Returns false if the session ends during the turn.
+  /// Executes a turn. Returns false if the session ends during it.
   bool Take(const v1::Turn& turn, const TurnPlan& plan, v1::Outcome* outcome) {
     Environment& environment = *environments_[turn.environment()];
     const bool was_in_episode = environment.InEpisode();
@@ -412,8 +415,8 @@ class LiveStage : public Stage {
 
   const v1::Description description_;
   const Shared shared_;
-  std::vector<std::unique_ptr<Environment>> environments_;  ///< by their number
-  Workers workers_;                                         ///< each takes turns of a batch
+  std::vector<std::unique_ptr<Environment>> environments_;  ///< by environment number
+  Workers workers_;  ///< its threads execute the turns of a batch
 };
 
 }  // namespace

@@ -11,23 +11,25 @@
 namespace tera {
 
 struct StageOptions {
-  int threads = 2;  ///< for the turns of a batch, rays and encoding
+  int threads = 2;  ///< for parallel environments, rays and encoding
   EglOptions egl;
-  /// Folder in which each episode becomes a dataset, episode_0001 and so on, numbered after
-  /// existing episodes.
+  /// Folder in which each episode is recorded as a dataset, episode_0001 and so on. Numbers
+  /// continue after existing episodes.
   std::optional<std::filesystem::path> record;
 };
 
-/// Stages of `tera serve` sessions: episodes of a scenario, each with its own LiveRun.
+/// Creates the stages of `tera serve`. A stage simulates the episodes of one client session, each
+/// with a LiveRun.
 ///
-/// Model   a session has environments, which take the turns of a batch in parallel; results do not
-///         depend on each other, nor on the number of threads. In each an episode lasts from a
-///         Reset to the next Reset or to the end of the session. Its recording is then completed in
-///         any case. An action holds for the whole of its step.
-/// Throws  InputError at once if the recording folder is not writable; later if the source throws.
+/// Model   A session has one or more environments. Those named in a batch are stepped in parallel.
+///         Results do not depend on other environments or on the number of threads. An episode
+///         lasts from a Reset to the next Reset of its environment, or to the end of the session;
+///         its recording is then completed. An action applies during the whole step.
+/// Throws  InputError at once if the recording folder is not writable, and later if `source`
+///         throws.
 ///
-/// `log` receives recordings that cannot be completed after the session's end. `scenario` is the
-/// source's scenario, for the description.
+/// `log` receives a message if a recording cannot be completed after its session. `scenario` is the
+/// scenario of the source, used for the description.
 Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
                              const StageOptions& options, Server::Log log);
 

@@ -15,11 +15,11 @@
 namespace tera {
 namespace {
 
-// Limits that detect mistyped sizes.
+// Limits that reject mistyped sizes.
 constexpr double kLargestPatch_m = 200.0;
 constexpr int kMostPatchVertices = 1024;
 
-/// Index of the item of `items` whose `name_of` equals `name`.
+/// Index of the item whose `name_of` equals `name`.
 template <typename Items, typename NameOf>
 std::size_t IndexOf(const Items& items, const NameOf& name_of, const std::string& name,
                     const std::string& what) {
@@ -62,9 +62,9 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
   return plan;
 }
 
-/// Upper bound of one sample's size in a message.
+/// Upper bound of the size of one sample in a message.
 double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
-  constexpr double kSmall_bytes = 200;  // time stamps, tags
+  constexpr double kSmall_bytes = 200;  // time stamps and tags
   constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
   const SensorKind& kind = KindOf(sensor);
   double bytes =
@@ -97,7 +97,7 @@ void CheckSize(double bytes, double duration_s) {
 }
 
 double PatchBytes(const PatchPlan& plan) {
-  constexpr double kHead_bytes = 100;  // centre, heading, resolution, tags
+  constexpr double kHead_bytes = 100;  // centre, heading, resolution and tags
   return kHead_bytes + sizeof(float) * static_cast<double>(plan.n) * static_cast<double>(plan.n);
 }
 

@@ -64,7 +64,7 @@ void PutRow(const RowSample& row, v1::SensorSamples* samples) {
   message.mutable_value()->Add(row.values.begin(), row.values.end());
 }
 
-/// Row kinds with their own message type; all others use RowSample.
+/// Types of row sensors that have their own message type. Others use RowSample.
 using PutSample = void (*)(const RowSample&, v1::SensorSamples*);
 constexpr std::pair<std::string_view, PutSample> kOwnMessages[] = {
     {kImuChannel, PutImu}, {kGnssChannel, PutGnss}, {kEncoderChannel, PutEncoder}};
@@ -76,7 +76,7 @@ PutSample PutOf(std::string_view type) {
   return PutRow;
 }
 
-/// All images of a frame have one size.
+/// Appends an image. All images of a frame must have the same size.
 template <typename T>
 void PutPicture(const Image<T>& picture, std::string* bytes, v1::CameraFrame* message) {
   if (picture.empty()) return;

@@ -10,15 +10,15 @@
 
 namespace tera {
 
-/// True if samples of a kind of rows have their own message type; all others use RowSample.
+/// True if this type of row sensor has its own message type. Others use RowSample.
 bool HasOwnMessage(std::string_view kind);
 
-/// Collects the requested sensors' samples as messages.
+/// Collects samples of the requested sensors as messages.
 class SampleKeeper : public MeasurementSink {
  public:
-  /// Discards collected samples and collects those of a step that ends at `end_ns`.
+  /// Clears the collected samples. Collects samples of `sensors` for a step that ends at `end_ns`.
   void Keep(const std::vector<SensorPlan>& sensors, TimeNs end_ns);
-  /// Moves the collected samples to `observation`, in the order of `sensors`.
+  /// Moves the collected samples to `observation`, in the order of the requested sensors.
   void Take(v1::Observation* observation);
 
   ChannelId AddChannel(const ChannelInfo& info) override;

@@ -10,7 +10,7 @@ namespace {
 
 using Load = std::function<LoadedScenario(std::optional<std::uint64_t>)>;
 
-/// The scenario with its own seed, and the latest with another.
+/// Cache of two scenarios: the one with its own seed, and the last one with another seed.
 struct Shelf {
   Load load;
   KeptTexts texts;

@@ -19,12 +19,12 @@
 namespace tera {
 namespace {
 
-// The server detects a vanished client or network after the sum of both times.
+// The server notices the loss of a client or network after the sum of these times.
 constexpr int kAskAfter_ms = 30'000, kAnswerWithin_ms = 30'000;
 
 constexpr std::chrono::seconds kFarewell{2};
 
-/// Address and port as in a URI: IPv6 in brackets.
+/// Address and port in URI notation; an IPv6 address is in brackets.
 std::string Endpoint(const std::string& address, int port) {
   const bool bare_ipv6 = address.find(':') != std::string::npos && !address.starts_with("[");
   return fmt::format(fmt::runtime(bare_ipv6 ? "[{}]:{}" : "{}:{}"), address, port);
@@ -48,14 +48,14 @@ using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 
 }  // namespace
 
-/// gRPC's threads receive calls; `thread_` serves them.
+/// gRPC's threads accept calls; `thread_` serves them.
 struct Server::Impl final : Service {
   Impl(const ServerOptions& options, MakeStage make, Log to)
       : name(options.name),
         hello_within(options.hello_within),
         make_stage(std::move(make)),
         log(std::move(to)) {
-    // Faults go to the client or into exceptions; the libraries print nothing.
+    // Faults are sent to the client or thrown, so the libraries need not print them.
     google::protobuf::SetLogHandler(nullptr);
     constexpr int kUnlessSet = 0;
     setenv("GRPC_VERBOSITY", "NONE", kUnlessSet);
@@ -63,7 +63,7 @@ struct Server::Impl final : Service {
     int port = 0;
     const std::string endpoint = Endpoint(options.address, options.port);
     builder.AddListeningPort(endpoint, grpc::InsecureServerCredentials(), &port);
-    // Disables port sharing, by which two servers would alternate between clients.
+    // Disables port sharing, with which two servers would receive clients in turn.
     builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kAskAfter_ms);
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kAnswerWithin_ms);
@@ -88,7 +88,7 @@ struct Server::Impl final : Service {
       if (stream != nullptr) stream->Stop();
       changed.notify_all();
     }
-    // Notifies the current client; cancels a client that does not read.
+    // Ends the session of the current client, and cancels its call if it does not read.
     grpc_server->Shutdown(std::chrono::system_clock::now() + kFarewell);
     thread.join();
     grpc_server->Wait();
@@ -122,12 +122,12 @@ struct Server::Impl final : Service {
       log(fmt::format("{}: session ended{}", who,
                       status.ok() ? "" : ": " + status.error_message()));
       lock.lock();
-      stream = nullptr;  // released first, so that the client's next call finds it free
+      stream = nullptr;  // released before the call ends, so that the client can call again at once
       serving->End(status);
     }
   }
 
-  /// Serves a session from first message to end, including its stage.
+  /// Serves a session from its first message to its end.
   grpc::Status ServeWhole(ClientStream* serving) {
     try {
       const std::unique_ptr<Stage> stage = make_stage([=] { return serving->cancelled(); });
@@ -192,7 +192,7 @@ struct Server::Impl final : Service {
   std::mutex mutex;
   std::condition_variable changed;
   bool stopping = false;
-  ClientStream* stream = nullptr;  ///< current or next stream
+  ClientStream* stream = nullptr;  ///< stream in service, or to be served next
   std::string who;                 ///< name of its client
   std::thread thread;
 };

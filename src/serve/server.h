@@ -10,33 +10,34 @@ namespace tera {
 class Stage;
 
 struct ServerOptions {
-  std::string address = "127.0.0.1";  ///< address of the listening interface
-  int port = 0;                       ///< 0: the system chooses
-  std::string name = "tera";          ///< server name with version
-  /// Time limit for a client's first message.
+  std::string address = "127.0.0.1";  ///< address of the network interface to listen on
+  int port = 0;                       ///< 0: the system selects a free port
+  std::string name = "tera";          ///< name and version of the server
+  /// Time limit for the first message of a client.
   std::chrono::milliseconds hello_within = std::chrono::seconds(10);
 };
 
-/// Network server through which clients step a simulation, a single client at a time. The messages
-/// are in proto/tera/v1/simulation.proto.
+/// Network server with which a client steps a simulation. It serves one client at a time. Messages
+/// are defined in proto/tera/v1/simulation.proto.
 ///
-/// Model   a separate thread serves the sessions in sequence. Each session has its own stage, which
-///         is destroyed before the client's end-of-session notice. A second concurrent client is
-///         refused at once. A client's death ends its session, even within a step.
+/// Model   One thread serves the sessions one after another. A session has its own stage, which is
+///         destroyed before the client is told that the session has ended. While a client is
+///         served, others are refused at once. The death of a client ends its session, even during
+///         a step.
 class Server {
  public:
-  /// Creates the stage of a session. `ended` returns true when the session is over, so that a long
-  /// step may stop.
+  /// Creates the stage of a session. `ended` returns true once the session is over, so that a long
+  /// step can stop.
   using MakeStage = std::function<std::unique_ptr<Stage>(std::function<bool()> ended)>;
-  /// Receives one line of text per session start and end.
+  /// Receives one line of text at the start and the end of each session.
   using Log = std::function<void(const std::string&)>;
 
   /// Starts to listen. Throws InputError on failure.
   Server(const ServerOptions& options, MakeStage make_stage, Log log);
-  /// Ends a current session and waits for its end.
+  /// Ends the current session and waits for its end.
   ~Server();
 
-  /// "127.0.0.1:50051", the address for clients.
+  /// Address for clients, such as "127.0.0.1:50051".
   const std::string& address() const;
 
  private:

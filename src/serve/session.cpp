@@ -16,8 +16,9 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// A field of `message` or a nested message unknown to this build, as from a newer client: "field 9
-/// of Action". Ignoring it would silently drop part of the request.
+/// A field of the message, or of a nested message, that this build does not know, such as "field 9
+/// of Action". Newer clients may send such fields; ignoring one would silently ignore part of the
+/// request.
 std::optional<std::string> UnknownField(const Message& message) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   const auto& unknown = reflection.GetUnknownFields(message);
@@ -44,7 +45,7 @@ using grpc::StatusCode;
 
 Status MustNot(const std::string& finding) { return {StatusCode::FAILED_PRECONDITION, finding}; }
 
-/// The name appears in logs and on terminals.
+/// True if the name is fit for logs and terminals: short and printable.
 bool CanBeShown(const std::string& client) {
   return client.size() <= kLongestClientName &&
          std::all_of(client.begin(), client.end(), [](char c) { return c >= ' ' && c <= '~'; });

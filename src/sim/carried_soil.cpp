@@ -15,15 +15,16 @@ namespace tera {
 namespace {
 
 constexpr int kCellsAcross = 36;     ///< across a shovel's width
-constexpr double kLeastLoad = 1e-4;  ///< share of the capacity; less is dust on the shell
+constexpr double kLeastLoad = 1e-4;  ///< share of the capacity; a smaller load is not shown
 constexpr double kSkirt_m = 0.006;   ///< the skirt's distance from the shell
-constexpr double kRoughness = 0.95;  ///< material roughness
+constexpr double kRoughness = 0.95;
 constexpr double kToneRange = 0.30;  ///< range of brightness between grains
-constexpr double kUnmixed = 0.25;    ///< share of a grain's own colour; the rest is the mean
+/// Share of the colour that comes from the point's own soil; the rest is the mean.
+constexpr double kUnmixed = 0.25;
 
-/// Clods as noise: rounded tops with creases between them.
+/// Surface noise of clods: rounded tops with creases between them.
 ///
-/// Model   Size and depth are estimates: dry sand has ripples of a few millimetres, clay has lumps
+/// Model   size and depth are estimates. Dry sand has ripples of a few millimetres, clay has lumps
 ///         as large as a fist.
 struct Clods {
   double size_m, depth_m;
@@ -34,7 +35,7 @@ struct Clods {
     size_m = 0.06 + 0.05 * lumpiness;
     depth_m = 0.010 + 0.032 * lumpiness + 0.3 * soil.grain_size_m;
   }
-  /// Depth below the tops.
+  /// Depth of the surface below the clods' tops.
   double Depth_m(double along_m, double across_m) const {
     constexpr int kPeriod = 16;
     static const LatticeNoise noise("carried_soil/clods", kPeriod, 3);
@@ -44,7 +45,7 @@ struct Clods {
   }
 };
 
-/// Uniform in [0, 1], one number for each square of 11 mm of the mouth.
+/// Random number in [0, 1], constant within each square of 11 mm of the shovel's opening.
 double GrainNumber(const Vec2& place_m, double offset) {
   constexpr int kPeriod = 128;
   constexpr double kGrain_m = 0.011;
@@ -55,7 +56,7 @@ double GrainNumber(const Vec2& place_m, double offset) {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Edges that belong to only one triangle, in its direction.
+/// Border edges of the surface: those of a single triangle, in that triangle's direction.
 std::vector<Edge> BorderOf(const HeapSurface& surface) {
   std::vector<std::pair<Edge, Edge>> edges;  // sorted ends, and the ends in the triangle's order
   for (const auto& t : surface.triangles) {
@@ -74,7 +75,8 @@ std::vector<Edge> BorderOf(const HeapSurface& surface) {
   return border;
 }
 
-/// Adds a skirt from the surface's border down to just above the shell, inset slightly.
+/// Adds a skirt from the surface's border down to the shell. Its lower edge stays slightly inside
+/// the shell.
 void AddSkirt(const HeapSurface& surface, MeshPart* part) {
   if (surface.p_B_m.empty()) return;
   const Vec3 sum =
@@ -112,7 +114,7 @@ void SetNormals(MeshPart* part) {
   }
 }
 
-/// The soil for a number in [0, 1], by shares.
+/// The soil that a uniform number in [0, 1] selects, with the shares as probabilities.
 std::size_t Drawn(const std::vector<double>& shares, double number) {
   std::size_t soil = 0;
   while (soil + 1 < shares.size() && number >= shares[soil]) number -= shares[soil++];

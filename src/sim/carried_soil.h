@@ -11,19 +11,20 @@ namespace tera {
 
 /// Visible surface of the soil in a shovel.
 ///
-/// Frames  B frame of the shovel's link.
-/// Model   The surface of HeapSurface at the angle of repose of the most abundant soil, roughened
-///         downwards by clods. Clods are larger for cohesive soil than for sand. The colour of each
-///         point mixes a quarter of one carried soil, drawn by volume shares, with three quarters
-///         of the mean of all. A skirt hangs from the surface's border into the shell.
-/// Omits   layers of soils: a shovel knows the amount of each soil, not its place. Clods keep their
+/// Frames  B is the frame of the shovel's link.
+/// Model   the surface of HeapSurface, with the angle of repose of the soil that has the largest
+///         mass. Clods roughen it: their noise lowers the surface between them. Cohesive soil has
+///         larger clods than sand. Each point's colour is a quarter that of one of the carried
+///         soils, drawn by volume shares, and three quarters the mean of all. A skirt closes the
+///         gap between the surface's border and the shell.
+/// Omits   layers of soils: only the amount of each soil in a shovel is known. Clods keep their
 ///         places in the shovel while soil slides under them.
 class CarriedSoil {
  public:
-  /// `soils` are those of the site.
+  /// `soils` are the soils of the site.
   CarriedSoil(const Shovel& shovel, const std::vector<SoilType>& soils);
 
-  /// The mesh of the load in the shovel at X_WB; null without a load.
+  /// Mesh of the load, for the shovel's link at X_WB. Null without a load.
   std::shared_ptr<const ShapedMesh> Shape(const SoilReaction::Load& load, const Pose& X_WB) const;
 
  private:
@@ -31,11 +32,12 @@ class CarriedSoil {
   std::vector<SoilType> soils_;
 };
 
-/// Share of each soil in a load's volume. If the masses are unknown, the first has all of it.
+/// Volume share of each soil in a load. If the masses are unknown, the first soil counts as the
+/// whole load.
 std::vector<double> VolumeShares(const SoilReaction::Load& load,
                                  const std::vector<SoilType>& soils);
 
-/// Colour of loose soil, linear RGB.
+/// Colour of loose soil in linear RGB, at the soil's moisture.
 Vec3 LooseAlbedo(const SoilType& soil);
 
 }  // namespace tera

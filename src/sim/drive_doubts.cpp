@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGravity_mps2 = 9.81;
 
-/// Doubts a joint that covers its whole range faster than any machine's joint.
+/// Warns of a joint that covers its whole range implausibly fast.
 std::optional<std::string> DoubtOfRate(const Joint& joint) {
   constexpr double kQuickest_s = 0.2;
   const double rate_radps = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
@@ -25,7 +25,7 @@ std::optional<std::string> DoubtOfRate(const Joint& joint) {
       joint.name, way_rad, rate_radps, way_rad / rate_radps);
 }
 
-/// Mass and first moment of each link with all its descendants, in W.
+/// Mass and first moment in W of a link with all its descendants.
 struct Hanging {
   double mass_kg = 0;
   Vec3 moment_kgm = Vec3::Zero();
@@ -69,7 +69,7 @@ std::optional<std::string> DoubtOfLever(const MachineModel& model, const Lever& 
   if (lever.joint >= 0) {
     const Joint& joint = model.joints[static_cast<std::size_t>(lever.joint)];
     if (joint.lower_rad == joint.upper_rad && joint.type != JointType::kContinuous) {
-      return std::nullopt;  // its limits are already doubted
+      return std::nullopt;  // DoubtOfLimits already reports this joint
     }
     rate = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
     effort = joint.max_effort_nm;
@@ -124,7 +124,7 @@ double LowestOf_m(const RunningGear& gear) {
   return low_m;
 }
 
-/// Doubts running gear over which the box of its own link reaches down.
+/// Warns of running gear above the lowest point of its own link's boxes.
 std::optional<std::string> DoubtOfClearance(const MachineModel& model, const RunningGear& gear) {
   const Link& link = model.links[static_cast<std::size_t>(gear.link)];
   double below_m = 0;
@@ -133,16 +133,17 @@ std::optional<std::string> DoubtOfClearance(const MachineModel& model, const Run
     const double bottom_m = part.X_BG.translation().z() - 0.5 * R.row(2).dot(part.size_m);
     below_m = std::max(below_m, LowestOf_m(gear) - bottom_m);
   }
-  constexpr double kRim_m = 0.05;  // lugs and grousers that a box holds and patches do not
+  // Allowance for grousers and lugs, which boxes include and patches do not.
+  constexpr double kRim_m = 0.05;
   if (below_m <= kRim_m) return std::nullopt;
   return fmt::format(", {} ends {:.2g} m above the bottom of {}, which would drag: z points up",
                      gear.name, below_m, link.name);
 }
 
-/// Doubts a drive without end about a lying axis that turns most of the machine, as a slew whose
-/// axis is y does.
+/// Warns of a driven joint without limits whose axis is horizontal and which turns most of the
+/// machine. A slew whose axis is given as y has this symptom.
 std::optional<std::string> DoubtOfSlew(const Joint& joint, const Pose& X_WP, double share) {
-  constexpr double kMostOfIt = 0.5, kLying = 0.5;  // cosine of the axis to the vertical
+  constexpr double kMostOfIt = 0.5, kLying = 0.5;  // cosine between axis and vertical
   const bool goes_round = joint.type == JointType::kContinuous && joint.max_effort_nm > 0;
   const Vec3 axis_W = X_WP.linear() * joint.X_PJ.linear() * joint.axis_J;
   if (!goes_round || share < kMostOfIt || std::abs(axis_W.z()) > kLying) return std::nullopt;
@@ -152,7 +153,8 @@ std::optional<std::string> DoubtOfSlew(const Joint& joint, const Pose& X_WP, dou
       joint.name, 100 * share);
 }
 
-/// Doubts a profile that begins at its top: nearer to the pin of a bucket, higher on a blade.
+/// Warns of a profile that begins at its upper end: the end near the pin of a bucket, or the higher
+/// end of a blade.
 std::optional<std::string> DoubtOfEdge(const Shovel& shovel, const Pose& X_WL) {
   if (shovel.profile_B_m.size() < 2) return std::nullopt;
   const Vec2 &edge = shovel.profile_B_m.front(), &top = shovel.profile_B_m.back();

@@ -8,14 +8,14 @@
 namespace tera {
 namespace {
 
-/// Longest distance between neighbouring contact points along an edge.
+/// Largest distance between neighbouring contact points on an edge.
 constexpr double kPointSpacing_m = 0.5;
 constexpr double kCorners = 8;
-/// Stiffness and damping of a corner, relative to those of a machine's structure of the same mass.
-/// Explicit damping of a plate's corners is stable at 100 steps a second up to 3.2.
+/// Stiffness and damping of a corner, relative to those of a machine's structure of equal mass.
+/// Explicit damping of a plate's corners is stable up to a factor of 3.2 at 100 steps per second.
 constexpr double kFirmness = 3;
 
-/// Moments and products of inertia of uniform boxes about their common centre, in axes of B.
+/// Inertia tensor of uniform boxes about their common centre, in the axes of B.
 Mat3 InertiaOf(const std::vector<CollisionBox>& boxes, double mass_kg) {
   double volume_m3 = 0;
   Vec3 first_m4 = Vec3::Zero();
@@ -79,7 +79,7 @@ MachinePlacement PlacementOf(const ScenarioObstacle& obstacle, const Pose& X_WB)
   model.links.push_back(std::move(link));
   GroundTools& tools = model.ground_tools;
   for (const CollisionBox& box : obstacle.collision) AppendPoints(box, &tools.hull_points);
-  // More points along an edge share the stiffness of its corners.
+  // The points share the stiffness of eight corners.
   tools.mass_kg = kFirmness * obstacle.dynamic->mass_kg * kCorners /
                   static_cast<double>(tools.hull_points.size());
   return placement;

@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// The tool of the ROS topics ee_pose and bucket_mass.
+/// The tool that the ROS topics ee_pose and bucket_mass describe.
 ///
-/// Frames  T: origin in the middle of the cutting edge (the tips of the teeth), axes of the link
-///         that carries the shovel.
+/// Frames  T: origin at the middle of the cutting edge (the tips of the teeth), axes of the
+///         shovel's link.
 struct EndEffector {
   int shovel = 0;
   int link = 0;
   Pose X_BT = Pose::Identity();
 };
 
-/// The first shovel that can carry soil, or nothing.
+/// The first shovel that can carry soil; empty if there is none.
 std::optional<EndEffector> EndEffectorOf(const MachineModel& model);
 
 }  // namespace tera

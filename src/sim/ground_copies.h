@@ -7,13 +7,13 @@
 
 namespace tera {
 
-/// Copies of a changing ground, each at the time of its request.
+/// Snapshots of a changing ground.
 ///
-/// Model   a copy without holders is updated for the next request, so only the changed tiles are
-///         copied.
+/// Model   a snapshot that nobody holds any more is reused for the next request, which copies only
+///         the tiles that have changed since.
 class GroundCopies {
  public:
-  /// A copy of the current ground. The thread that requested it must release it.
+  /// A snapshot of the current ground. It must be released by the thread that requested it.
   std::shared_ptr<const TerrainSurface> Of(const TerrainSurface& now);
 
  private:

@@ -9,11 +9,10 @@
 
 namespace tera {
 
-/// The joint trees of a scenario's machines.
 std::vector<JointTree> JointTreesOf(const Scenario& scenario);
 
-/// The joint trees of a simulated recording, from its scenario; none for a real recording. `moved`
-/// as in LoadRecordedScenario.
+/// Joint trees of a simulated recording, from its scenario. Empty for a real recording. `moved` as
+/// in LoadRecordedScenario.
 ///
 /// Throws  InputError if the scenario or one of its files cannot be read or has changed.
 std::vector<JointTree> RecordedJointTrees(const std::filesystem::path& recording,

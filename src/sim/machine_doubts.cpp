@@ -15,12 +15,13 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-/// About the boom length of the largest draglines.
+/// About the length of the boom of the largest draglines.
 constexpr double kLongestLink_m = 100;
 constexpr double kMillimetre_m = 1e-3;
-/// The densest metal, osmium, has 22.6 t/m3.
+/// Limit on density. The densest metal, osmium, has 22.6 t/m3.
 constexpr double kAir_kgpm3 = 1.2, kDensest_kgpm3 = 25000;
-/// Share of the half diagonal; a needle's radius of gyration has 0.58 of it, a ball's 0.37.
+/// Smallest plausible radius of gyration, as a share of half the diagonal. A needle has 0.58, a
+/// ball 0.37.
 constexpr double kPointGyration = 0.01;
 constexpr double kTurn_rad = 2 * kPi;
 
@@ -38,14 +39,14 @@ const SceneInstance* InstanceOf(const SceneModel& scene, const std::string& name
   return found == scene.instances.end() ? nullptr : &*found;
 }
 
-/// The box of the link's visuals; empty without visuals.
+/// Bounding box of a link's visuals; empty without visuals.
 Box ShownBox(const ScenarioMachine& machine, const Link& link, const SceneModel& scene) {
   if (link.visuals.empty()) return {};
   const SceneInstance* shown = InstanceOf(scene, machine.placement.name + "/" + link.name);
   return shown == nullptr ? Box() : Box(shown->box_min_B_m, shown->box_max_B_m);
 }
 
-/// The box of a whole link, in its frame.
+/// Bounding box of a link with all its shapes and tools, in the link's frame.
 Box BoxOf(const ScenarioMachine& machine, std::size_t index, const SceneModel& scene) {
   const MachineModel& model = machine.placement.model;
   const Link& link = model.links[index];
@@ -81,7 +82,7 @@ std::string Shown(const Vec3& size_m) {
   return fmt::format("{:.4g} x {:.4g} x {:.4g} m", size_m.x(), size_m.y(), size_m.z());
 }
 
-/// Links that are fixed together, in the frame of the first.
+/// Several links that are fixed together, in the frame of the first one.
 struct RigidBody {
   std::string name;
   double mass_kg = 0;
@@ -159,7 +160,7 @@ std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
   return std::nullopt;
 }
 
-/// Doubts limits in degrees, and limits that lock a joint.
+/// Warns of limits that look like degrees, and of limits that lock a joint.
 std::optional<std::string> DoubtOfLimits(const Joint& joint) {
   const bool turns = joint.type == JointType::kRevolute;
   if ((!turns && joint.type != JointType::kPrismatic) || joint.following) return std::nullopt;
@@ -179,7 +180,7 @@ std::optional<std::string> DoubtOfLimits(const Joint& joint) {
       joint.name, lower, upper, (upper - lower) / kTurn_rad);
 }
 
-/// The mesh that gives a link its length, if there is one.
+/// The mesh that makes a link too long, or null.
 const Visual* LongMesh(const ScenarioMachine& machine, const Link& link, const SceneModel& scene) {
   const SceneInstance* shown = InstanceOf(scene, machine.placement.name + "/" + link.name);
   if (shown == nullptr) return nullptr;
@@ -272,7 +273,7 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     add(DoubtOfLength(machine, model.links[i], boxes[i], scene));
   }
-  if (doubts.size() > before) return doubts;  // other checks need plausible sizes
+  if (doubts.size() > before) return doubts;  // the other checks need plausible sizes
   for (const RigidBody& body : BodiesOf(model, boxes)) add(DoubtOfInertia(body));
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Link& link = model.links[i];

@@ -6,47 +6,56 @@
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
 
-/// Implausible properties in a machine's description.
+/// Warnings about implausible values in a machine's description.
 
 namespace tera {
 
-/// Mass and size of a link.
 struct LinkSize {
   std::string name;
   double mass_kg = 0;
-  Vec3 size_m = Vec3::Zero();  ///< box along its axes around its visuals, collision shapes, tools
-                               ///< and running gear; zero without any of these
+  /// Bounding box of its visuals, collision shapes, tools and running gear, in the link's axes.
+  /// Zero if it has none of these.
+  Vec3 size_m = Vec3::Zero();
 };
 
-/// One entry per link of the machine, in their order. `scene` has the link meshes.
+/// One entry per link, in the order of the model. `scene` provides the link meshes.
 std::vector<LinkSize> SizesOf(const ScenarioMachine& machine, const SceneModel& scene);
 
-/// Doubts about the machine's description, one sentence each, which begins with its name.
+/// Warnings about a machine's description, one sentence each. A sentence begins with the machine's
+/// name.
 ///
-/// Model   A body in a box has a radius of gyration of at most half the box's diagonal about any
-///         axis through its centre of mass. About some axis it is at least a hundredth of that.
-///         Links that are fixed together count as one body. No body and no drawn link is denser
-///         than 25 t/m3 in its box; a machine is heavier than the air in its box. No link is longer
-///         than 100 m. A revolute joint's limits lie within one turn either way; a joint with equal
-///         limits has effort and velocity. A machine with a free base falls if it has no running
-///         gear and no hull points.
+/// Model   the expectations are:
+///         - A machine with a free base has running gear or hull points; otherwise it would fall.
+///         - No link is longer than 100 m. If one is, the checks below are skipped.
+///         - Consider a body's largest radius of gyration about its centre of mass. It is at most
+///           half the diagonal of the body's bounding box, and at least a hundredth of that. Links
+///           that are fixed together count as one body.
+///         - The centre of mass is within a diagonal of the bounding box.
+///         - No body and no link with visuals is denser than 25 t/m3 in its box. The machine is
+///           heavier than the air in its box.
+///         - Limits of a revolute joint are within one turn either way. A joint with equal limits
+///           has effort and velocity.
 std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneModel& scene);
 
-/// Doubts about the machine's drives, a part of DoubtsOf.
+/// Warnings about a machine's drives; a part of DoubtsOf.
 ///
-/// Model   No revolute joint covers its whole range in a fifth of a second. A joint holds its load
-///         against gravity at the start. No driven joint without limits turns half of the mass
-///         about a lying axis. The joint or gear of a lever has a rate and an effort. Running gear
-///         reaches at most 30 m/s and below the boxes of its link, the "left" one is on the left,
-///         and the gears are about the gauge apart. A shovel holds at most ten times the volume
-///         that its profile and width enclose. A bucket's profile begins at the end far from the
-///         pin, a blade's at its lower end.
+/// Model   the expectations are:
+///         - A revolute joint needs more than a fifth of a second for its whole range.
+///         - A joint can hold its load against gravity at the start.
+///         - A driven joint without limits and with a horizontal axis turns less than half of the
+///           mass. (A slew axis in the wrong direction would turn more.)
+///         - The joint or running gear of a lever has a rate and an effort.
+///         - Running gear reaches at most 30 m/s and extends below the boxes of its link. Gear
+///           named "left" is on the left. The gears are about the gauge apart.
+///         - A shovel's capacity is at most ten times the volume that its profile and width
+///           enclose. The profile of a bucket begins at the end far from the pin, that of a blade
+///           at the lower end.
 std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
 
-/// Doubts about positions. Machines and obstacles are off the site, or a machine overlaps another
-/// or an obstacle. Persons are faster than 12 m/s, other obstacles faster than 40 m/s. Sensors are
-/// below the ground or more than 60 m from their link, or their angles in degrees are quarters of
-/// pi.
+/// Warnings about positions: machines or obstacles off the site; a machine that overlaps another
+/// machine or an obstacle; persons faster than 12 m/s and other obstacles faster than 40 m/s;
+/// sensors below the ground or more than 60 m from their link; sensor angles in degrees that equal
+/// multiples of pi/4, as if given in radians.
 std::vector<std::string> PlacesInDoubt(const Scenario& scenario);
 
 }  // namespace tera

@@ -13,7 +13,7 @@ std::vector<Pose> PosesAtZero(const MachineModel& machine) {
   return X_RB;
 }
 
-/// Height of the ground in the root's frame, at the contact of its running gear.
+/// Height of the ground in the root's frame: that of the lowest point of its running gear.
 double GroundHeight_m(const MachineModel& machine, const std::vector<Pose>& X_RB) {
   double lowest_m = 0;
   bool found = false;

@@ -9,30 +9,30 @@
 
 namespace tera {
 
-/// Moves the machines of a world, by physics or by a recording.
+/// Interface of what moves the machines of a world: physics or a recording.
 class MotionSource {
  public:
   virtual ~MotionSource() = default;
 
-  /// Start time and index of the first step, negative if machines settle first.
+  /// Start time, and the index of the first step: negative if machines settle before the start.
   struct Begin {
     TimeNs start_ns = 0;
     std::int64_t first_step = 0;
   };
-  /// Places the machines into `world`, whose obstacles and ground are already at their start.
+  /// Places the machines in `world`. Its obstacles and ground are already in their initial state.
   virtual void Start(const Begin& begin, WorldState* world) = 0;
 
   struct Step {
     TimeNs to_ns = 0;
     double dt_s = 0;
-    const std::vector<SoilReaction>& reactions;  ///< ground reaction on each machine
+    const std::vector<SoilReaction>& reactions;  ///< reaction of the ground on each machine
   };
-  /// Moves the machines of `world` by one step from `world->t_ns`. Obstacles are already at the
-  /// step's end.
+  /// Moves the machines by one step from `world->t_ns`. Obstacles are already at the end of the
+  /// step.
   virtual void Move(const Step& step, WorldState* world) = 0;
 
-  /// Whether the machine's current pose is known. Tools of an unknown machine leave the ground
-  /// alone.
+  /// False while a recording has no pose of the machine. Tools of such a machine leave the ground
+  /// unchanged.
   virtual bool IsKnown(std::size_t machine) const = 0;
 };
 

@@ -10,7 +10,7 @@ void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, Tim
   const TippingBed& tipping = obstacle.tipping;
   const Pose X_BT = TippedBed(obstacle, t_ns);
   if (tipping.visual) poses->push_back(X_WB * X_BT);
-  if (tipping.gate) {  // it hangs plumb
+  if (tipping.gate) {  // the gate hangs vertically
     poses->push_back(X_WB * MakePose(Vec3(X_BT * tipping.gate_B_m - tipping.gate_B_m)));
   }
   for (const ObstacleWheel& wheel : obstacle.wheels) {
@@ -23,7 +23,7 @@ void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, Tim
 
 void GrowBoxByLimb(const ScenarioObstacle& obstacle, std::size_t limb, const Mesh& mesh,
                    SceneInstance* instance) {
-  constexpr int kMoments = 32;  // per stride
+  constexpr int kMoments = 32;  // tested moments of a stride
   const double scale = obstacle.visual.scale;
   for (int k = 0; k < kMoments; ++k) {
     const double travel_m = scale * obstacle.gait.stride_m * k / kMoments;

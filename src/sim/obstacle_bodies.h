@@ -5,16 +5,16 @@
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
 
-/// The bodies of an obstacle in a scene, in order: itself, its bed and the bed's gate if separate,
-/// its wheels, its limbs.
+/// Scene bodies of an obstacle, in this order: the obstacle, its bed, the bed's gate (if it has a
+/// mesh of its own), wheels, limbs.
 
 namespace tera {
 
-/// Appends the bodies' poses at `t_ns` for an obstacle at `X_WB`.
+/// Appends the poses of the bodies at `t_ns`, for an obstacle at `X_WB`.
 void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, TimeNs t_ns,
                          std::vector<Pose>* poses);
 
-/// Widens the box of an obstacle's instance to hold a limb's mesh in its whole swing.
+/// Extends the box of an obstacle's instance to contain a limb's mesh at every angle of its swing.
 void GrowBoxByLimb(const ScenarioObstacle& obstacle, std::size_t limb, const Mesh& mesh,
                    SceneInstance* instance);
 

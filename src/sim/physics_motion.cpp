@@ -13,11 +13,11 @@
 namespace tera {
 namespace {
 
-/// No ground contact of an intact machine gets this deep: it sinks and leans by less than its own
-/// height.
+/// Depth that no ground contact of a valid machine reaches: a machine sinks and tilts by less than
+/// its own height.
 constexpr double kBelowGround_m = 3;
 
-/// The highest centre of mass of the links.
+/// The highest of the links' centres of mass.
 Vec3 HighestCentre_m(const MachineModel& model, const MachineState& machine) {
   Vec3 highest_m = machine.links[0].X_WB * model.links[0].com_B_m;
   for (std::size_t i = 1; i < model.links.size(); ++i) {

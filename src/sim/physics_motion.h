@@ -13,14 +13,14 @@ namespace tera {
 /// One operator for each machine.
 using Operators = std::vector<std::unique_ptr<Operator>>;
 
-/// The operators that a scenario gives its machines, in their initial state.
+/// The operators in a scenario, in their initial state.
 Operators OperatorsOf(const Scenario& scenario);
 
-/// Machines that obey operators and move by physics, together with dynamic obstacles.
+/// Moves machines by operators and physics, together with dynamic obstacles.
 ///
-/// Model   operators give levers from the machines and the ground at a step's start; all levers are
-///         neutral while the machines settle. PhysicsWorld moves the bodies. A machine that is
-///         wholly metres below the ground ends the run with InputError.
+/// Model   operators choose levers from the state of the machines and the ground at the start of a
+///         step. While the machines settle, all levers are neutral. PhysicsWorld moves the bodies.
+///         The run ends with InputError if a machine is completely metres below the ground.
 class PhysicsMotion : public MotionSource {
  public:
   /// Keeps a reference to `scenario`.
@@ -32,14 +32,14 @@ class PhysicsMotion : public MotionSource {
   bool IsKnown(std::size_t) const override { return true; }
 
  private:
-  /// Dynamic obstacle: its index in the scenario, and its handle in the soil.
+  /// A dynamic obstacle: index in the scenario, and handle in the soil.
   struct Thing {
     std::size_t obstacle;
     int soil_handle;
   };
 
   std::vector<double> LeversOf(std::size_t machine, const WorldState& world);
-  /// Adds the forces of the slings that are attached now.
+  /// Adds the forces of the currently attached slings to the machines' inputs.
   void PullSlings(const WorldState& world, std::vector<MachineInput>* inputs) const;
   /// Copies the bodies of the physics and their contacts into `world`.
   void ReadBodies(WorldState* world) const;

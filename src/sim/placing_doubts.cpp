@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// A part of something, as its box in its own frame.
+/// A box of a machine or an obstacle.
 struct Part {
   std::string_view of;
   Pose X_WG = Pose::Identity();
@@ -46,7 +46,7 @@ std::vector<Part> PartsOf(const ScenarioObstacle& obstacle, const TerrainSurface
   return parts;
 }
 
-/// Whether the middle of a part of one lies in a part of the other.
+/// Whether the centre of a box of either object lies in a box of the other.
 bool AreInOnePlace(const std::vector<Part>& a, const std::vector<Part>& b) {
   const auto holds = [](const std::vector<Part>& in, const std::vector<Part>& of) {
     return std::any_of(in.begin(), in.end(), [&](const Part& whole) {
@@ -70,7 +70,7 @@ std::optional<std::string> DoubtOfPlace(std::string_view name, const Vec2& xy_m,
       name, xy_m.x(), xy_m.y(), low_m.x(), low_m.y(), high_m.x(), high_m.y());
 }
 
-/// Doubts a sensor tens of metres off its link, and one below the ground.
+/// Warns of a sensor tens of metres from its link, and of a sensor below the ground.
 std::optional<std::string> DoubtOfMount(const MachinePlacement& placement,
                                         const std::vector<Pose>& X_WL,
                                         const SensorDescription& sensor,
@@ -90,7 +90,7 @@ std::optional<std::string> DoubtOfMount(const MachinePlacement& placement,
                      placement.name, sensor.name, depth_m);
 }
 
-/// Doubts angles that are pi/4, pi/2, ... in degrees, to the three digits that hands write.
+/// Warns of angles that are multiples of pi/4 as numbers in degrees, within three digits.
 std::optional<std::string> DoubtOfAngles(const MachinePlacement& placement,
                                          const SensorDescription& sensor) {
   constexpr double kThreeDigits = 1e-3;

@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// Reads rasters of a recording's truth/terrain, in at most 1024 squares along a side. The layer
-/// `elevation` is z in W; other layers are unchanged.
+/// Returns a reader for the rasters of a recording's truth/terrain. It reduces them to at most 1024
+/// squares along a side. The layer `elevation` is z in W; other layers are unchanged.
 ReadGround ReaderOfGround(const DatasetInfo& info);
 
 }  // namespace tera

@@ -21,7 +21,7 @@ RigScene::RigScene(const SceneAssembly& assembly, int threads)
 
 RigScene::~RigScene() = default;
 
-/// With a single thread, that thread takes the pictures.
+/// With a single thread, that thread renders the pictures.
 void RigScene::OpenRasterizers(const EglOptions& egl, bool late) {
   egl_ = egl;
   if (!late) return;
@@ -60,7 +60,7 @@ void RigScene::ForgetBefore(TimeNs t_ns) {
   while (history_.size() > 1 && history_[1].t_ns <= t_ns) history_.pop_front();
 }
 
-/// Created at a sensor's first request in a step.
+/// Computed at the first request in a step.
 Shapes RigScene::ShapesNow() const {
   if (!shapes_known_) shapes_ = assembly_.ShapesOf(*after_);
   shapes_known_ = true;
@@ -79,7 +79,7 @@ SensedAir RigScene::air() const {
   return air;
 }
 
-/// Copied once per step, and only if pictures are taken in parallel.
+/// Copies at most once per step, and only if pictures are rendered in parallel.
 KeptScene RigScene::Keep() const {
   if (!rasterizers_ || !rasterizers_->work_beside()) return SensedScene::Keep();
   if (kept_) return *kept_;

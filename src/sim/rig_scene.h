@@ -15,22 +15,23 @@
 
 namespace tera {
 
-/// The scene of a running simulation for its sensors, with the past poses that they need.
+/// The scene of a running simulation as its sensors see it, with the past poses that they need.
 class RigScene : public SensedScene {
  public:
   /// Keeps a reference to `assembly`.
   RigScene(const SceneAssembly& assembly, int threads);
   ~RigScene() override;
 
-  /// For sensors that take pictures: in parallel with the run if `late`, else opened by the first
-  /// picture. Throws InputError without a way to draw, as does that first picture.
+  /// Prepares pictures. If `late`, rasterizers run in parallel with the run. Otherwise the first
+  /// picture creates one. Throws InputError (here or at the first picture) if OpenGL is not
+  /// available.
   void OpenRasterizers(const EglOptions& egl, bool late);
-  /// For sensors that need past poses, which are kept from then on.
+  /// Keeps past poses from now on.
   void KeepPast() { keeps_past_ = true; }
-  /// For sensors that look through the air. From then on the scenario's dust, if any, is simulated.
+  /// Simulates the scenario's dust, if any, from now on.
   void FollowAir(const Scenario& scenario) { scenario_ = &scenario; }
 
-  /// Advances to a step. Its states and ground must stay valid until the next call.
+  /// Advances to a step. The step's states and ground must stay valid until the next call.
   void Advance(const WorldStep& step);
   void ForgetBefore(TimeNs t_ns);
 
@@ -41,7 +42,7 @@ class RigScene : public SensedScene {
   SensedAir air() const override;
   KeptScene Keep() const override;
   RasterizerPool* rasterizers() const override;
-  /// Made for the first scan.
+  /// Created at the first scan.
   RayScene* ray_scene() const override;
   /// Wall-clock seconds of the busiest rasterizer.
   double busy_s() const { return rasterizers_ ? rasterizers_->busy_s() : 0.0; }
@@ -61,14 +62,14 @@ class RigScene : public SensedScene {
   mutable std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
-  mutable Shapes shapes_;  ///< shapes in the step, if known
+  mutable Shapes shapes_;  ///< of this step, valid if shapes_known_
   mutable bool shapes_known_ = false;
   mutable GroundCopies ground_copies_;
-  mutable std::optional<KeptScene> kept_;                ///< copy in the step, once requested
-  mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< the latest
+  mutable std::optional<KeptScene> kept_;  ///< copy of this step's scene, once requested
+  mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< latest copy
   bool keeps_past_ = false;
   std::deque<Moment> history_;
-  const Scenario* scenario_ = nullptr;  ///< scenario whose air is simulated
+  const Scenario* scenario_ = nullptr;  ///< set if dust is to be simulated
   std::optional<SiteDust> dust_;
 };
 

@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Frame at `origin` with x along `x_axis` and y as near to `y_hint` as possible.
+/// Frame at `origin` with x along `x_axis` and y as close to `y_hint` as possible.
 Mat3 FrameFromX(const Vec3& x_axis, const Vec3& y_hint) {
   Mat3 R;
   R.col(0) = x_axis.normalized();
@@ -23,7 +23,7 @@ Mat3 FrameFromX(const Vec3& x_axis, const Vec3& y_hint) {
   return R;
 }
 
-/// Pose on a closed path at arc length `s_m`: x along the path, z = x cross the link's y.
+/// Pose on a closed path at arc length `s_m`: x along the path, z = x cross y of the link.
 Pose OnPath(const std::vector<Vec3>& path_m, const std::vector<double>& arc_m, double s_m) {
   const double total_m = arc_m.back();
   s_m -= total_m * std::floor(s_m / total_m);
@@ -45,7 +45,7 @@ void AppendLinkagePoses(const MachineModel& machine, const MachineState& now,
   }
 }
 
-/// Poses of the barrel and the rod of each cylinder, aimed at each other from their pins.
+/// Poses of barrel and rod of each cylinder. Each points from its pin to the other's pin.
 void AppendCylinderPoses(const MachineModel& machine, const MachineState& now,
                          std::vector<Pose>* poses) {
   for (const Cylinder& cylinder : machine.cylinders) {
@@ -71,15 +71,15 @@ std::vector<double> ArcLengths(const std::vector<Vec3>& path_m) {
   return arc_m;
 }
 
-/// Adds the mesh or the solid of `visual` and returns the mesh's index.
+/// Adds the mesh or solid of `visual` and returns the index of its mesh.
 int AddLooksOf(const Visual& visual, SceneModel* scene) {
   if (visual.solid) return AddSolid(*visual.solid, visual.paint.value_or(Paint()), scene);
   if (visual.paint) return AddPaintedMesh(visual.mesh, *visual.paint, scene);
   return scene->AddMesh(visual.mesh, visual.node);
 }
 
-/// Keypoint depths below the visible surface: a pin's middle within a boom's or an arm's width, and
-/// an edge's middle behind its face.
+/// Depth of a key point below the visible surface: a pin lies inside a boom or an arm, an edge
+/// point behind its face.
 constexpr double kPinDepth_m = 0.35, kEdgeDepth_m = 0.05;
 
 void AddPin(const std::string& name, int body, SceneModel* model) {
@@ -118,7 +118,7 @@ void SceneAssembly::AddLamp(const ScenarioLamp& lamp) {
   model_.lamps.push_back(added);
 }
 
-// The AddBody calls here and the poses in AppendMachinePoses must have the same order: links,
+// AddBody is called here in the same order in which AppendMachinePoses appends poses: links,
 // wheels, shoes, linkages, cylinders, soil in shovels.
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
@@ -182,7 +182,7 @@ void SceneAssembly::AddMachineKeypoints(const MachineModel& machine,
   }
 }
 
-/// Adds the machine as one object, after all others, so that their numbers stay.
+/// Adds the machine as a whole after all other instances, so that it does not change their numbers.
 void SceneAssembly::AddWhole(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const bool drives = !placement.model.ground_tools.gears.empty();
@@ -337,7 +337,7 @@ void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
 
 void SceneAssembly::GrowBox(const SceneNode& node) {
   SceneInstance& box = model_.instances[node.instance];
-  if (box.body != node.body) return;  // a cylinder's part moves in its link's frame
+  if (box.body != node.body) return;  // a part of a cylinder moves relative to its link
   for (const MeshPart& part : model_.meshes[node.mesh].parts) {
     for (const Eigen::Vector3f& p : part.positions_m) {
       const Vec3 p_B = node.X_BG * (node.scale * p.cast<double>());

@@ -87,7 +87,7 @@ void Simulation::ShowObstaclesToSoil(TimeNs t_ns) {
   }
 }
 
-/// Advances the time and the bed loads.
+/// Advances time and updates the loads of beds.
 void Simulation::Count() {
   state_.t_ns = clock_.Due(step_);
   state_.beds.clear();

@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// Everything that moves, except the ground, at one instant. Cheap to copy.
+/// All moving bodies at one instant, without the ground. Cheap to copy.
 struct Instant {
   TimeNs t_ns = 0;
   std::vector<MachineState> machines;
@@ -23,15 +23,14 @@ struct Instant {
   std::vector<BodyContact> contacts;
 };
 
-/// One step of a world as sensors see it: the moving bodies at both ends, the ground at the later
-/// end.
+/// One step of a world as sensors see it: bodies at both ends, the ground at the end.
 struct WorldStep {
   const Instant& before;
   const Instant& after;
   const TerrainSurface& ground;
 };
 
-/// The current world: the moving bodies, and the single ground, which is never copied.
+/// The current world: the moving bodies and the ground. The ground is not copied.
 class WorldState : public Instant {
  public:
   explicit WorldState(std::unique_ptr<Soil> ground) : ground_(std::move(ground)) {}

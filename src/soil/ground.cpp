@@ -22,7 +22,7 @@
 namespace tera {
 namespace {
 
-/// Columns, the machines' tools on them, and the slides they set off.
+/// Soil on columns, with the tools of all machines, grains, beds and avalanches.
 class Ground : public Soil {
  public:
   Ground(const Site& site, std::uint64_t seed)
@@ -98,9 +98,9 @@ class Ground : public Soil {
   Columns columns_;
   Avalanche avalanche_;
   Grains grains_;
-  std::vector<BedFlow> bed_flows_;  ///< one for each bed of the grains
+  std::vector<BedFlow> bed_flows_;  ///< one for each bed of grains_
   LowObstacles obstacles_;
-  double piles_kg_;  ///< put on the site before the start
+  double piles_kg_;  ///< mass placed on the site before the start
   std::optional<GroundWeather> weather_;
   std::vector<Machine> machines_;
 };
@@ -110,7 +110,7 @@ void Add(const Wrench& part, Wrench* sum) {
   sum->torque_W_nm += part.torque_W_nm;
 }
 
-/// A shovel's load, by the soils that are shown.
+/// The load of a shovel, with hidden soil kinds counted as their given soil.
 SoilReaction::Load AsShown(const SoilKinds& kinds, SoilReaction::Load load) {
   for (std::size_t k = kinds.shown_count(); k < load.soil_kg.size(); ++k) {
     load.soil_kg[kinds.Shown(static_cast<std::uint8_t>(k))] += load.soil_kg[k];

@@ -6,47 +6,46 @@
 
 #include "core/motion.h"
 
-/// Questions to the ground, and files written from it.
+/// Queries of the ground, and rasters of it.
 
 namespace tera {
 
-/// A property of the ground from above, one number a place.
+/// A property of the ground as a map.
 enum class GroundRaster {
-  kHeight,      ///< of the surface: m above the WGS 84 ellipsoid
-  kChange,      ///< m by which the surface has risen since the start
-  kMassChange,  ///< kg/m^2 that the ground has gained since the start
-  kDensity,     ///< kg/m^3: mean bulk density of the uppermost kDensityDepth_m
+  kHeight,      ///< height of the surface: m above the WGS 84 ellipsoid
+  kChange,      ///< rise of the surface since the start in m
+  kMassChange,  ///< mass gained since the start in kg/m^2
+  kDensity,     ///< mean bulk density of the uppermost kDensityDepth_m in kg/m^3
   kSoilClass,   ///< soil at the surface, as an index into Soil::soils()
 };
 
 inline constexpr double kDensityDepth_m = 0.1;
 
-/// Names as in files and scenarios: height, change, mass_change, density, soil_class.
+/// Names in files and scenarios: height, change, mass_change, density, soil_class.
 std::string_view NameOf(GroundRaster raster);
 
-/// The ground at one place and depth.
+/// Soil at one position and depth.
 struct SoilSample {
   std::uint8_t soil = 0;     ///< index into Soil::soils()
   double density_kgpm3 = 0;  ///< bulk density
   double compaction = 0;     ///< bulk density over that of the undisturbed soil
   double moisture = 0;       ///< degree of saturation, 0..1
-  bool loose = false;        ///< dug or dumped, and not yet pressed
+  bool loose = false;        ///< dug or dumped, and not pressed since
 };
 
-/// A box of the ground to be cut into cubes.
+/// A box of the ground, to be divided into cubes.
 struct VoxelBox {
   Vec3 low_W_m = Vec3::Zero(), high_W_m = Vec3::Zero();
-  int columns =
-      1;  ///< that stand side by side in a cube: its edge is as many cells of the site long
+  int columns = 1;  ///< edge of a cube, in cells of the site
 };
 
-/// The ground in cubes.
+/// Soil in the cubes of a box.
 ///
-/// Frames  W. Cube (i, j, k) has its lowest corner at low_W_m + edge_m * (i, j, k) and stands at
-///         (k * ny + j) * nx + i in each list.
-/// Model   each column's layers are summed up between the heights of a cube: no mass is lost or
-///         gained but by rounding. The box is moved to the nearest border between columns and made
-///         larger to whole cubes. Beyond the site there is nothing.
+/// Frames  W. Cube (i, j, k) has its lowest corner at low_W_m + edge_m * (i, j, k). Its index in
+///         each list is (k * ny + j) * nx + i.
+/// Model   Each cube sums the layers of its columns between its lower and upper face. Mass is
+///         conserved within rounding. The box is shifted to the nearest border between columns and
+///         enlarged to whole cubes. Cubes outside the site are empty.
 struct SoilVoxels {
   static constexpr std::uint8_t kNoSoil = 255;
 
@@ -58,7 +57,7 @@ struct SoilVoxels {
   std::vector<float> compaction;   ///< bulk density over that of the undisturbed soil; 0 in air
   std::vector<float> moisture;     ///< degree of saturation, 0..1
   std::vector<float> loose;        ///< share of the mass that is loose, 0..1
-  std::vector<std::uint8_t> soil;  ///< of which there is most; kNoSoil in air
+  std::vector<std::uint8_t> soil;  ///< soil with the greatest mass; kNoSoil in air
 
   std::size_t size() const { return mass_kg.size(); }
   std::size_t index(int i, int j, int k) const {
@@ -66,7 +65,7 @@ struct SoilVoxels {
   }
 };
 
-/// Number of cubes along the axes of a box on cells of `cell_m`.
+/// Number of cubes along each axis of a box, for cells of `cell_m`.
 Eigen::Array3i CubesOf(const VoxelBox& box, double cell_m);
 
 }  // namespace tera

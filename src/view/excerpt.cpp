@@ -14,11 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRows = 2000;  ///< per table
-constexpr std::size_t kRarest = 1000;    ///< largest useful frame stride
+constexpr std::size_t kMostRows = 2000;  ///< rows per table
+constexpr std::size_t kRarest = 1000;    ///< largest n of every n-th frame
 constexpr double kBytesPerMb = 1e6;
-constexpr std::uint64_t kHead = 1 << 12;  ///< size of the text around index and files
-constexpr std::uint64_t kPlace = 48;      ///< size of a file's location entry, apart from its name
+constexpr std::uint64_t kHead = 1 << 12;  ///< bytes of text besides index and files
+constexpr std::uint64_t kPlace = 48;  ///< bytes of a file's entry in the table of contents, besides
+                                      ///< its name
 
 std::string Base64(const std::string& bytes) {
   static constexpr char kDigits[] =
@@ -38,7 +39,7 @@ std::string Base64(const std::string& bytes) {
   return text;
 }
 
-/// Embedded files by requested name: "0/path" belongs to the first viewed item.
+/// Embedded files by the name in their request. "0/path" is a file of the first item.
 class Pack {
  public:
   void Add(const std::string& name, const std::string& bytes) {
@@ -71,7 +72,7 @@ void AddTables(const std::string& prefix, Part* part, Pack* pack) {
   }
 }
 
-/// Adds only the initial and final ground, since all grounds would fill the page.
+/// Adds only the first and the last ground, because all grounds would fill the page.
 void AddGrounds(const std::string& prefix, Part* part, Pack* pack) {
   Json kept = Json::array();
   for (const std::string name : part->index["terrain"]) {
@@ -125,7 +126,7 @@ std::uint64_t BytesOfFrames(const std::vector<Part>& parts, std::size_t n) {
   return sum;
 }
 
-/// Size of the location entries of each n-th frame's files.
+/// Bytes of the table of contents for every n-th frame.
 std::uint64_t BytesOfPlaces(const std::vector<Part>& parts, std::size_t n) {
   std::uint64_t sum = 0;
   for (const Part& part : parts) {
@@ -136,7 +137,7 @@ std::uint64_t BytesOfPlaces(const std::vector<Part>& parts, std::size_t n) {
   return sum;
 }
 
-/// The smallest n for which each n-th frame fits.
+/// The smallest n for which every n-th frame fits.
 std::size_t Spread(const std::vector<Part>& parts, std::uint64_t base, std::uint64_t most) {
   const auto page = [&](std::size_t n) {
     return base + BytesOfPlaces(parts, n) + (BytesOfFrames(parts, n) + 2) / 3 * 4;
@@ -164,7 +165,7 @@ void AddFrames(const std::string& prefix, const Part& part, std::size_t n, Pack*
   }
 }
 
-/// JSON escaped for a script element.
+/// JSON escaped for use in a script element.
 std::string InScript(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

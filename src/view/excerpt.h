@@ -8,18 +8,18 @@
 
 namespace tera {
 
-/// A page with part of the data embedded.
+/// A page that contains part of the data.
 struct Excerpt {
   std::string html;
-  std::string words;  ///< description of the content
+  std::string words;  ///< description of its content
 };
 
-/// Makes a page with an excerpt of the data.
+/// Creates a page with an excerpt of the data.
 ///
-/// Model   contents: all tables, thinned to evenly spaced rows; grounds; scenes; each n-th frame of
-///         every camera and lidar with all its images. n is the smallest stride for which the page
-///         has at most `most_bytes`. The page embeds data in base 64.
-/// Throws  InputError if even each thousandth frame exceeds the limit.
+/// Model   Contains all tables, reduced to evenly spaced rows; ground; scenes; and every n-th frame
+///         of each camera and lidar. n is the smallest number for which the page does not exceed
+///         `most_bytes`. Data is embedded in base 64.
+/// Throws  InputError if the page exceeds the limit even with every thousandth frame.
 Excerpt MakeExcerpt(const std::vector<Viewed>& viewed, const std::string& page,
                     std::uint64_t most_bytes);
 

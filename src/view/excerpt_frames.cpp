@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// "100000000.png" as "100000000".
+/// The stamp at the beginning of a row.
 std::string StampOf(const std::string& line) { return line.substr(0, line.find(',')); }
 
 std::vector<std::string> NamesOf(const std::string& channel, const std::string& line,

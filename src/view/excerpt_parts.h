@@ -9,23 +9,23 @@
 
 namespace tera {
 
-/// Header and at most `most_rows` evenly spaced rows of a CSV file, including the first and the
+/// Header of a CSV file and at most `most_rows` evenly spaced rows, including the first and the
 /// last.
 std::string ThinnedTable(const std::string& csv, std::size_t most_rows);
 
-/// Frames of a camera or lidar, as listed in its data.csv.
+/// Frames listed in data.csv of a camera or lidar.
 class FrameList {
  public:
-  /// `channel` is the sensor's folder; `pictures` holds a camera's image kinds, empty for a lidar.
+  /// `channel` is the folder of the sensor. `pictures` holds the image kinds of a camera; it is
+  /// empty for a lidar.
   FrameList(const ServedFolder& folder, const std::string& channel,
             const std::vector<std::string>& pictures);
 
   std::size_t size() const { return rows_.size(); }
-  /// data.csv restricted to each n-th frame.
+  /// Content of data.csv with only every n-th frame.
   std::string Table(std::size_t n) const;
-  /// Paths of existing files of each n-th frame, relative to the folder.
+  /// Paths of the existing files of every n-th frame, relative to the folder.
   std::vector<std::string> Files(std::size_t n) const;
-  /// Total size of these files.
   std::uint64_t Bytes(std::size_t n) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// File next to an unbuilt page that states the reason.
+/// A build without the page has this file instead, which gives the reason.
 constexpr char kMissingName[] = "missing.txt";
 
 std::string WhyMissing(const std::vector<std::filesystem::path>& places) {

@@ -7,13 +7,14 @@
 
 namespace tera {
 
-/// Placeholder for embedded data in the page.
+/// Placeholder in the page for embedded data.
 inline constexpr std::string_view kPackMark = "<!--pack-->";
 
-/// Candidate locations of the built page: the installed data and this build's folder.
+/// Possible locations of the built page: the installed data and the build folder.
 std::vector<std::filesystem::path> PagePlaces();
 
-/// Reads the first existing page. Throws InputError that names the part that the build lacks.
+/// Reads the first page that exists. If there is none, throws InputError that names what the build
+/// lacks.
 std::string ReadPage(const std::vector<std::filesystem::path>& places);
 
 }  // namespace tera

@@ -7,16 +7,17 @@
 
 #include "core/motion.h"
 
-/// Static and moving objects of a scene for the page: plain data without physics. The page derives
-/// body poses from machine poses and joints.
+/// Objects of a scene for the page, as plain data. The page computes the poses of bodies from
+/// machine poses and joint positions.
 
 namespace tera {
 
-/// Triangles with a single colour or a colour per corner.
+/// Triangles with one colour, or with a colour per vertex.
 struct StagePart {
-  std::vector<float> positions_m, normals, colours;  ///< three numbers each; colours may be empty
+  std::vector<float> positions_m, normals, colours;  ///< three numbers per vertex; colours may be
+                                                     ///< empty
   std::vector<std::uint32_t> indices;
-  Vec3 colour = Vec3::Constant(0.5);  ///< linear; used without colours
+  Vec3 colour = Vec3::Constant(0.5);  ///< linear RGB, used if `colours` is empty
   double opacity = 1;
 };
 
@@ -24,7 +25,6 @@ struct StageMesh {
   std::vector<StagePart> parts;
 };
 
-/// A mesh attached to a body.
 struct StageNode {
   int mesh = 0, body = 0;
   Pose X_BG = Pose::Identity();
@@ -32,8 +32,8 @@ struct StageNode {
   std::uint16_t instance = 0;
 };
 
-/// Bodies of a machine, in order from `first_body`: links, wheels, track shoes, rockers and
-/// couplers, barrels and rods, soil in shovels. Frames and laws follow
+/// Bodies of a machine, numbered from `first_body` in this order: links, wheels, track shoes,
+/// rockers and couplers, barrels and rods, soil in shovels. Frames and formulas are those of
 /// physics/description/machine.h.
 struct StageMachine {
   struct Joint {
@@ -77,10 +77,10 @@ struct StageMachine {
   std::vector<Track> tracks;
   std::vector<Linkage> linkages;
   std::vector<Cylinder> cylinders;
-  std::vector<int> loads;  ///< links of shovels that carry soil
+  std::vector<int> loads;  ///< links of the shovels that can carry soil
 };
 
-/// An object of one body with its poses over time; a static object has a single pose.
+/// An object with one body, and its poses over time. A fixed object has one pose.
 struct StageObstacle {
   std::string name;
   int body = 0;

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kAlignment = 8;
 
-/// Arrays after the header.
+/// The arrays that follow the header.
 class Arrays {
  public:
   template <typename T>

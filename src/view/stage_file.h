@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// Bytes of a stage for web/src/stage/stage_file.js: "TSTG", the header length as a 32-bit number,
-/// the JSON header, and the arrays of the meshes, little-endian. The header refers to arrays as
-/// [offset in bytes, count].
+/// Encodes a stage for web/src/stage/stage_file.js: "TSTG", length of the header as a 32-bit
+/// number, JSON header, and the mesh arrays in little-endian order. The header refers to an array
+/// as [offset in bytes, count].
 std::string StageFile(const Stage& stage);
 
 }  // namespace tera

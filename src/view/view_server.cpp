@@ -16,12 +16,13 @@ namespace tera {
 namespace {
 
 constexpr char kLoopback[] = "127.0.0.1";
-/// A browser keeps up to six connections open, and each occupies a thread.
+/// A browser opens up to six connections, and a connection occupies a thread.
 constexpr std::size_t kThreads = 24;
-constexpr std::size_t kMostRequests = 1'000'000;  ///< per connection
+constexpr std::size_t kMostRequests = 1'000'000;  ///< requests per connection
 constexpr std::size_t kPiece = 1 << 20;           ///< bytes per read
 
-/// The page runs its own script and worker, and accesses only this server.
+/// Content security policy: the page may run its own script and worker, and access only this
+/// server.
 constexpr char kPolicy[] =
     "default-src 'none'; script-src 'unsafe-inline' blob:; worker-src blob:; style-src "
     "'unsafe-inline'; img-src data: blob:; connect-src 'self' blob: data:; base-uri 'none'; "
@@ -35,9 +36,9 @@ std::string MediaTypeOf(const std::filesystem::path& file) {
   return "application/octet-stream";
 }
 
-/// Clips the requested range to the file's end (RFC 9110, 14.1.2), which the library omits. Returns
-/// false for an empty range or several ranges. The library itself owns the request as non-const; it
-/// is const only for handlers.
+/// Limits a requested range to the end of the file (RFC 9110, 14.1.2), because the library does
+/// not. Returns false for an empty range and for several ranges. The cast is safe, because the
+/// library owns the request as non-const.
 bool FitRange(std::uint64_t bytes, const httplib::Request& request) {
   auto& ranges = const_cast<httplib::Request&>(request).ranges;
   if (ranges.empty()) return true;
@@ -53,13 +54,13 @@ bool FitRange(std::uint64_t bytes, const httplib::Request& request) {
   return fits;
 }
 
-/// Disables the library's port sharing with other sockets.
+/// Prevents other sockets from sharing the port, which the library allows by default.
 void TakePortAlone(int listener) {
   const int yes = 1;
   setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-/// Sends a file or its requested range, piece by piece from disk.
+/// Sends a file, or the requested range of it, in pieces.
 void SendFile(const std::filesystem::path& file, const httplib::Request& request,
               httplib::Response* answer) {
   const std::uint64_t bytes = std::filesystem::file_size(file);
@@ -80,8 +81,8 @@ void SendFile(const std::filesystem::path& file, const httplib::Request& request
       });
 }
 
-/// Sends `text`, which must outlive the response, without compression. Compression of set_content
-/// takes longer than a local transfer.
+/// Sends `text` uncompressed, because compression takes longer than a local transfer. The text must
+/// outlive the response.
 void SendText(const std::string& text, const char* type, httplib::Response* answer) {
   answer->set_content_provider(
       text.size(), type, [&text](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
@@ -160,12 +161,12 @@ class ViewServer::Running {
                        kLoopback)});
     }
     hosts_ = {fmt::format("{}:{}", kLoopback, port_), fmt::format("localhost:{}", port_)};
-    constexpr int kUsualPort = 80;  // browsers omit this port
+    constexpr int kUsualPort = 80;  // browsers omit this port in the host name
     if (port_ == kUsualPort) hosts_.insert({kLoopback, "localhost"});
   }
 
-  /// Accepts only read requests to this computer's host name. A foreign page whose name resolves
-  /// here requests its own host name.
+  /// Accepts only read requests for the host name of this computer. A foreign web page whose DNS
+  /// name resolves to this computer sends its own host name, and is rejected.
   bool IsWelcome(const httplib::Request& request, httplib::Response* answer) const {
     if (request.method != "GET" && request.method != "HEAD") {
       Refuse(405, "this server is only read from", answer);

@@ -8,12 +8,13 @@
 
 namespace tera {
 
-/// Serves a page and its data to browsers on this computer during its lifetime.
+/// HTTP server for a page and its data, for browsers on this computer. It runs during the lifetime
+/// of the object.
 ///
-/// Model   HTTP/1.1 on 127.0.0.1 alone; the server answers only requests for that host. GET and
-///         HEAD: `/` is the page, `/index.json` the index, `/stage/K` the scene of the K-th viewed
-///         item. `/data/K/FILE` is a file of its folder (ServedFolder), whole or as a range. All
-///         other requests give 404, 405 or 403. The server writes no files.
+/// Model   HTTP/1.1 on 127.0.0.1. Requests for another host name are rejected. GET and HEAD are
+///         supported: `/` is the page, `/index.json` the index, `/stage/K` the scene of item K, and
+///         `/data/K/FILE` a file in the item's folder (ServedFolder), as a whole or a range. Other
+///         requests give 403, 404 or 405. The server never writes files.
 class ViewServer {
  public:
   /// Port 0 selects a free port. Throws InputError if the port is in use.

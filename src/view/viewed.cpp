@@ -18,7 +18,7 @@ std::string NameOf(const std::filesystem::path& path) {
   return plain.has_filename() ? plain.filename().string() : plain.parent_path().filename().string();
 }
 
-/// Time alignment of the second dataset to the first; identity for a single dataset.
+/// Time alignment of the second dataset with the first; no shift for a single dataset.
 TimeAlignment AlignmentOf(const std::vector<Viewed>& viewed) {
   std::vector<std::filesystem::path> datasets;
   for (const Viewed& one : viewed) {

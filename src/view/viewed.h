@@ -9,31 +9,31 @@
 
 namespace tera {
 
-/// A dataset or a diagnosis on view.
+/// A dataset or diagnosis shown in the viewer.
 struct Viewed {
   enum class Kind { kDataset, kDiagnosis };
 
   Kind kind = Kind::kDataset;
   std::string name;
   ServedFolder folder;
-  std::string index_json;  ///< its entry in the page's index
-  /// Returns the bytes of a stage (stage_file.h), for datasets. Throws InputError if the scene is
-  /// unknown.
+  std::string index_json;  ///< its entry in the index of the page
+  /// Returns the scene in the format of stage_file.h; for datasets only. Throws InputError if the
+  /// scene is unknown.
   std::function<std::string()> stage;
 };
 
-/// Throws InputError if the path is neither a readable dataset nor a readable diagnosis.
+/// Throws InputError unless the path is a readable dataset or diagnosis.
 Viewed OpenViewed(const std::filesystem::path& path);
 
-/// Index of all items for the page: {"format": 1, "viewed": [...]}, with the excerpt's description
-/// for an excerpt. Two datasets add `shift_ns`, the lag of the second dataset's times, and `times`,
-/// its reason.
+/// Index of all items for the page: {"format": 1, "viewed": [...]}. An excerpt adds its
+/// description. With two datasets, `shift_ns` is the offset of the second dataset's times, and
+/// `times` explains it.
 std::string IndexJson(const std::vector<Viewed>& viewed, const std::string& excerpt = "");
 
-/// Maximum number of datasets shown side by side.
+/// Largest number of datasets shown side by side.
 inline constexpr std::size_t kMostDatasets = 2;
 
-/// Throws InputError for too many datasets, or for an empty list.
+/// Throws InputError if `viewed` is empty or holds too many datasets.
 void RequireFewDatasets(const std::vector<Viewed>& viewed);
 
 }  // namespace tera

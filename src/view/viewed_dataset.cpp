@@ -84,7 +84,7 @@ Json ChannelJson(const std::filesystem::path& dataset, const ChannelDescription&
   return json;
 }
 
-/// GeoTIFFs of the ground, by name.
+/// Ground rasters (GeoTIFF) by name.
 Json TerrainJson(const std::filesystem::path& dataset) {
   std::set<std::string> names;
   std::error_code error;

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Sizes of the folder's files that start with `begin` and end with `end`, by name.
+/// Sizes of the files whose names start with `begin` and end with `end`, by name.
 Json FilesOf(const std::filesystem::path& folder, const std::string& begin,
              const std::string& end) {
   std::map<std::string, std::uintmax_t> sizes;

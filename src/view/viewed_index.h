@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// Index of a dataset for the page. Throws InputError for an unreadable dataset.
+/// Index entry of a dataset. Throws InputError if the dataset is unreadable.
 std::string DatasetIndexJson(const std::filesystem::path& dataset);
 
-/// Index of a diagnosis for the page: its diagnosis.json, and its maps and series by name.
+/// Index entry of a diagnosis: its diagnosis.json, and its maps and series by name.
 std::string DiagnosisIndexJson(const std::filesystem::path& diagnosis);
 
 }  // namespace tera

@@ -82,7 +82,8 @@ TEST_F(LayoutCommand, EvaluatesComparesAndFindsBetter) {
   KeepState();
   Write("low.yaml", Edited(kRig, "[0, 0.5, 2]", "[0, 0.5, 0.3]"));
   const std::string seen = Succeed(Evaluate("base", "rig.yaml", {"low.yaml"}));
-  EXPECT_THAT(seen, AllOf(HasSubstr("rig: Of the space around"), HasSubstr("low: Of the space"),
+  EXPECT_THAT(seen, AllOf(HasSubstr("rig: Coverage of the space around"),
+                          HasSubstr("low: Coverage of the space"),
                           HasSubstr("report: seen/rig/report.html\n")));
   for (const char* name :
        {"rig/report.html", "rig/layout.json", "rig/figures.csv", "rig/moments.csv", "rig/blind.csv",
@@ -299,7 +300,7 @@ TEST_F(LayoutCommand, ASensorThatLooksAwayIsSaidToSeeNothing) {
         "sensors: [{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: mast, xyz_m: [0, "
         "0, 3], rpy_deg: [0, -90, 0]}]\n");
   EXPECT_THAT(Succeed(Evaluate("site.yaml", "away.yaml")),
-              HasSubstr("warning: camera: it sees nothing of the space around the machine"));
+              HasSubstr("warning: camera: it sees nothing around the machine"));
 }
 
 TEST_F(LayoutCommand, AMountOfASearchThatLiesInsideTheMachineIsAWarning) {

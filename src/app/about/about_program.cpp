@@ -19,7 +19,7 @@ std::string AboutProgram() {
   add("build", kBuildType);
   add("libraries", kLibraries);
   add("without", kAbsentLibraries);
-  text.pop_back();  // CLI11 ends the line
+  text.pop_back();  // removes the line end, which CLI11 adds itself
   return text;
 }
 

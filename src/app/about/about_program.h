@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// Output of `tera --version`: the version alone on the first line, followed by source commit,
-/// build type and libraries. `tera info` reports the computer's renderer.
+/// Text of `tera --version`: the version on the first line, then source commit, build type and
+/// libraries. `tera info` describes the renderer of the computer.
 std::string AboutProgram();
 
 }  // namespace tera

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// The finite number in `text`; nullopt unless the whole text is a number.
+/// Parses the whole text as a finite number; nullopt otherwise.
 template <typename T>
 std::optional<T> NumberIn(const std::string& text) {
   const auto number = ParseNumber<T>(text);

@@ -5,18 +5,19 @@
 #include <string>
 #include <vector>
 
-/// Validators of option values, with their message: "--seed: '-1'; need a whole number >= 0".
+/// Validators of option values. Their messages have the form "--seed: '-1'; need a whole number >=
+/// 0".
 
 namespace tera {
 
-/// A number above 0 in `unit`, a plural: "seconds".
+/// Accepts a number above 0. `unit` is a plural, such as "seconds".
 CLI::Validator PositiveNumber(const std::string& unit);
-/// A number in `unit`, a plural.
+/// Accepts a number in a range. `unit` is a plural.
 CLI::Validator NumberBetween(double least, double most, const std::string& unit);
 CLI::Validator WholeNumberFrom0();
 CLI::Validator WholeNumberBetween(int least, int most);
 
-/// A word of a set; each stands for an enumeration value. For use with `transform`.
+/// Accepts a word of a set and converts it to an enumerator. For use with CLI11's `transform`.
 template <typename Enum>
 CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   std::string all;
@@ -30,7 +31,7 @@ CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   return CLI::Validator(to_value, "one of " + all);
 }
 
-/// Adds the option --moved. `of` is a prefix of its description.
+/// Adds the option --moved. `of` is put in front of its description.
 void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of = "");
 
 }  // namespace tera

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Like DidYouMean, but prefers a candidate that is a prefix of the word, or the reverse.
+/// As DidYouMean, but prefers a candidate that begins with the word, or with which the word begins.
 std::string Resembling(const std::string& word, const std::vector<std::string>& candidates) {
   const auto begins = std::find_if(candidates.begin(), candidates.end(), [&](const auto& known) {
     return word.starts_with(known) || known.starts_with(word);

@@ -5,9 +5,9 @@
 
 namespace tera {
 
-/// Message about the first argument unknown to `app` and its command, with a similar option or
-/// command. Empty if all are known. Call this function after a parse error, because CLI11 reports
-/// missing arguments first.
+/// Message about the first argument that `app` and its command do not know, with a similar option
+/// or command. Empty if all arguments are known. Called after a parse error, because CLI11 reports
+/// missing arguments before unknown ones.
 std::string UnknownArgument(const CLI::App& app);
 
 }  // namespace tera

@@ -11,31 +11,30 @@
 
 namespace tera {
 
-/// Scenario and its changes: the common options of all commands that take a scenario.
+/// Common options of all commands that take a scenario: its file and changes to it.
 struct ScenarioOptions {
   std::string scenario;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> set, effects;
   bool without_meshes = false;
-  std::uint64_t episode = 0;  ///< episode of the `randomise:` draws
+  std::uint64_t episode = 0;  ///< episode number for the draws of `randomise`
 };
 
-/// Resources of the host that a run may use.
+/// Resources of this computer that a run may use.
 struct HostOptions {
   HostOptions();
 
-  int threads;  ///< default: all
+  int threads;  ///< default: all cores
   EglOptions egl;
 };
 
-/// Adds SCENARIO, --seed, --set, --effects, --without-meshes and --episode. The options must
-/// outlive the parsing, here and below.
+/// Adds SCENARIO, --seed, --set, --effects, --without-meshes and --episode. `options` must outlive
+/// the parsing. The same applies to the other Add functions.
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
 
-/// Adds --threads and --egl-device.
 void AddHostOptions(CLI::App* command, HostOptions* options);
 
-/// Loads the scenario, with `overrides` above those of the options.
+/// Loads the scenario. `overrides` rank above those of the options.
 LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::string>& overrides = {});
 
 }  // namespace tera

@@ -21,7 +21,7 @@ Words NamesOfOptions(const CommandHelp& command) {
   return names;
 }
 
-/// Accepted words of the first argument; empty if it accepts other text.
+/// Words that the first argument accepts; empty if it accepts any text.
 Words WordsOfArgument(const CommandHelp& command) {
   for (const OptionHelp& option : command.options) {
     if (option.is_argument) return option.words;
@@ -29,7 +29,7 @@ Words WordsOfArgument(const CommandHelp& command) {
   return {};
 }
 
-/// "    'tera export --to') _tera_words ... ;;" for each option with a value.
+/// A case "    'tera export --to') _tera_words ... ;;" for each option that has a value.
 std::string BashValues(const CommandHelp& program) {
   std::string cases;
   for (const CommandHelp* command : AllOf(program)) {
@@ -59,7 +59,7 @@ std::string BashOptions(const CommandHelp& program) {
   return cases;
 }
 
-/// Words for argument positions: commands, or the accepted words of an argument.
+/// Words at argument positions: commands, or the words that an argument accepts.
 std::string BashArguments(const CommandHelp& program) {
   std::string cases;
   for (const CommandHelp* command : AllOf(program)) {

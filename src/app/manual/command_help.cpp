@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Words of "one of lz4, none, zstd" (OneOf); otherwise empty.
+/// Words listed in a text like "one of lz4, none, zstd" (from OneOf); empty for any other text.
 std::vector<std::string> WordsOf(std::string_view need) {
   constexpr std::string_view kOneOf = "one of ", kBetween = ", ";
   std::vector<std::string> words;
@@ -30,7 +30,7 @@ OptionHelp HelpOf(const CLI::Option& option) {
   }
   help.description = option.get_description();
   if (option.get_expected_max() > 0) {
-    // Either "FLOAT:number > 0, in seconds" or "FLOAT".
+    // The text is a type, or a type and a condition: "FLOAT:number > 0, in seconds".
     const std::string type = option.get_type_name();
     const std::size_t colon = type.find(':');
     help.type = type.substr(0, colon);

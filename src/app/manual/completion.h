@@ -4,8 +4,8 @@
 
 #include "app/manual/command_help.h"
 
-/// Scripts that complete commands, options, option values and file names. They are self-contained
-/// and run no program.
+/// Shell scripts that complete commands, options, values and file names. They do not call any
+/// program.
 
 namespace tera {
 

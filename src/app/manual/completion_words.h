@@ -6,16 +6,16 @@
 
 #include "app/manual/command_help.h"
 
-/// Common parts of the completion scripts of all shells.
+/// Parts shared by the completion scripts of all shells.
 
 namespace tera {
 
-/// "'tera layout'", in quotes, for each command below the program.
+/// Paths of all commands below the program, quoted, such as "'tera layout'".
 std::vector<std::string> PathsBelow(const CommandHelp& program);
-/// Last words of the commands below `command`.
+/// Names of the commands directly below `command`.
 std::vector<std::string> NamesOfCommands(const CommandHelp& command);
 
-/// Text in single quotes; `quote_within` replaces each inner quote.
+/// Puts text in single quotes; `quote_within` replaces each quote inside.
 std::string Quoted(std::string_view text, std::string_view quote_within);
 
 }  // namespace tera

@@ -26,7 +26,7 @@ std::string Plain(std::string_view text) {
 std::string Bold(std::string_view text) { return "\\fB" + Plain(text) + "\\fR"; }
 std::string Italic(std::string_view text) { return "\\fI" + Plain(text) + "\\fR"; }
 
-/// Formats a description as a sentence.
+/// Ends a description with a full stop unless it has one.
 std::string Sentence(const std::string& text) {
   return Plain(text) + (text.ends_with('.') || text.ends_with('?') ? "\n" : ".\n");
 }
@@ -68,7 +68,7 @@ std::string ItemOf(const OptionHelp& option) {
   return ".TP\n" + names + "\n" + Sentence(text);
 }
 
-/// Items of a section below its heading; empty without items.
+/// A section with its heading; empty if there are no items.
 std::string Section(const std::string& heading, const std::string& items) {
   return items.empty() ? "" : ".SH " + heading + "\n" + items;
 }

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Manual pages of section 1 in roff with man macros: one for the program and one per command. Keys
-/// are file names, "tera-generate.1".
+/// Manual pages (section 1, roff with man macros): one for the program and one per command. Keys
+/// are file names such as "tera-generate.1".
 std::map<std::string, std::string> ManualPages(const CommandHelp& program,
                                                const std::string& version);
 

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 
 std::string QuotedForSh(std::string_view text) { return Quoted(text, "'\\''"); }
 
-/// Specification of an option or argument for zsh's _arguments.
+/// Description of an option or argument for zsh's _arguments.
 Words ZshSpecs(const OptionHelp& option) {
   const auto escaped = [](std::string_view text, std::string_view signs) {
     std::string out;

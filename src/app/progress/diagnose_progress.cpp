@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr const char* kToEndOfLine = "\x1b[K";  ///< clears the line's remainder
+constexpr const char* kToEndOfLine = "\x1b[K";  ///< clears the rest of the line
 
-/// "dead_band, 1 unexplained".
+/// Text such as "dead_band, 1 unexplained".
 std::string Outcome(const BlockDiagnosis& diagnosis) {
   if (diagnosis.out_of_time) return "out of time";
   if (!diagnosis.is_testable) return "too few manoeuvres";

@@ -9,9 +9,9 @@
 
 namespace tera {
 
-/// Shows the progress of a diagnosis. The search is a stage of the clock, each block a part.
-/// Standard error receives a line with result and time per block; a terminal also shows the current
-/// blocks.
+/// Shows the progress of a diagnosis. Standard error receives one line per block, with result and
+/// time; a terminal also shows the blocks in progress. In `clock`, the search is a stage and each
+/// block a part of it.
 class DiagnoseProgress {
  public:
   /// `clock` must outlive this object.
@@ -24,7 +24,8 @@ class DiagnoseProgress {
   bool terminal_;
   StageClock* clock_;
   Clock::time_point start_, search_start_;
-  std::map<std::string, Clock::time_point> block_starts_;  ///< blocks under search
+  std::map<std::string, Clock::time_point> block_starts_;  ///< start times of the blocks in
+                                                           ///< progress
 };
 
 }  // namespace tera

@@ -12,8 +12,8 @@
 namespace tera {
 namespace {
 
-/// During its lifetime, Ctrl-C and SIGTERM write `text` to standard error and then end the program.
-/// The text states how to resume the stopped run. Only a single instance may exist.
+/// During its lifetime, SIGINT and SIGTERM print `text`, which explains how to resume, and then end
+/// the program. Only one instance may exist.
 class StopMessage {
  public:
   explicit StopMessage(const std::string& text);
@@ -24,10 +24,10 @@ class StopMessage {
 
 std::string message;
 
-/// Signal handler, restricted to write and raise. SA_RESETHAND has restored the default action,
-/// which ends the program when the handler returns.
+/// Signal handler, which may call only async-signal-safe functions. SA_RESETHAND has restored the
+/// default action, so the raised signal ends the program after the handler returns.
 void SayAndEnd(int signal) {
-  // The program ends here; a closed standard error leaves no recipient.
+  // A failed write is ignored, because the program ends here.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   raise(signal);
 }
@@ -46,8 +46,10 @@ StopMessage::~StopMessage() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-constexpr double kPipeLine_s = 10;  ///< between progress lines without a terminal
-constexpr double kShown_s = 0.005;  ///< shorter times show as 0.00: a stage that the run lacks
+constexpr double kPipeLine_s = 10;  ///< interval between progress lines if the output is not a
+                                    ///< terminal
+constexpr double kShown_s = 0.005;  ///< shorter times would be shown as 0.00, for stages that the
+                                    ///< run does not have
 
 void PrintReport(const GenerateReport& report, const std::string& out) {
   const auto factor = [&](double wall_s) {
@@ -76,7 +78,7 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
       report.task->cut_beyond_m3);
 }
 
-/// Runs and ends the progress line.
+/// Executes the run and ends the progress line.
 GenerateReport RunWithProgress(const DatasetRun& run, const RunOptions& options) {
   ProgressBar bar(kPipeLine_s);
   const StopMessage on_stop(

@@ -10,22 +10,21 @@
 
 namespace tera {
 
-/// Options of every command that writes a whole dataset.
+/// Common options of all commands that write a dataset.
 struct RunOptions {
   std::filesystem::path out;
   bool resume = false, keep_state = false;
   HostOptions host;
 };
 
-/// Adds --out, --resume and the host options. The options must outlive the parsing.
+/// Adds --out, --resume and the host options. `options` must outlive the parsing.
 void AddRunOptions(CLI::App* command, RunOptions* options);
 
-/// A run that writes a dataset according to the options.
 using DatasetRun = std::function<GenerateReport(const GenerateOptions&)>;
 
-/// Executes a run, with progress on a terminal's standard error, and prints its cost at the end.
+/// Executes a run. Shows its progress on standard error and prints its timing at the end.
 void FollowRun(const DatasetRun& run, const RunOptions& options);
-/// Simulates a scenario in the same way.
+/// Simulates a scenario with progress and timing.
 void FollowRun(const LoadedScenario& loaded, const RunOptions& options);
 
 }  // namespace tera

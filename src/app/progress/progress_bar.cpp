@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidestBar = 24;
 constexpr int kUsualColumns = 80;
 
-/// Columns of the terminal. A full line would wrap, and \r would then start another line.
+/// Usable columns of the terminal. A full line would wrap, and \r would return to the wrong line.
 int TerminalColumns() {
   winsize size = {};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -27,7 +27,7 @@ std::string Clock(double seconds) {
   return fmt::format("{}:{:02}", whole_s / 60, whole_s % 60);
 }
 
-/// `text` after a bar that fills the remaining width; a long text is truncated to the line.
+/// A bar that fills the free width, followed by `text`. A text that is too long is cut.
 std::string Line(double done, const std::string& text, int columns) {
   const int room = std::min(kWidestBar, columns - 4 - static_cast<int>(text.size()));
   if (room < 1) return text.substr(0, static_cast<std::size_t>(columns - 1));
@@ -63,7 +63,7 @@ void ProgressBar::Show(const GenerateProgress& progress, std::string_view counte
   const std::string text =
       fmt::format("{:.1f} / {:.1f} s  {:.2f} x real time  {} {}  {} left", progress.simulated_s,
                   progress.duration_s, factor, progress.frames, counted, Clock(left_s));
-  // ESC [ K clears the remainder of a longer previous line.
+  // ESC [ K clears the rest of the previous line.
   fmt::print(stderr, "\r{}\x1b[K", Line(done, text, TerminalColumns()));
   std::fflush(stderr);
   shown_ = true;

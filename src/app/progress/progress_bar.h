@@ -7,14 +7,14 @@
 
 namespace tera {
 
-/// One terminal line with a run's progress: simulated time, real-time factor, frames and time left.
-/// Without a terminal, it writes nothing or an occasional whole line.
+/// Progress of a run on one terminal line: simulated time, real-time factor, frames and remaining
+/// time. If the output is not a terminal, it prints a new line from time to time, or nothing.
 class ProgressBar {
  public:
-  /// `line_s` is the minimum time between lines without a terminal; 0: no lines.
+  /// `line_s` is the least interval between lines if the output is not a terminal; 0: no lines.
   explicit ProgressBar(double line_s = 0);
   ~ProgressBar();  ///< moves the cursor to a new line
-  /// `counted` is the word after the count: "frames" or "records".
+  /// `counted` names what is counted: "frames" or "records".
   void Show(const GenerateProgress& progress, std::string_view counted = "frames");
 
  private:

@@ -4,12 +4,12 @@
 
 namespace tera {
 
-/// Blocks Ctrl-C and SIGTERM in all threads started during its lifetime; a single thread waits for
-/// them.
+/// Blocks SIGINT (Ctrl-C) and SIGTERM in all threads that start during its lifetime, so that one
+/// thread can wait for them.
 class StopSignals {
  public:
   StopSignals();
-  /// `or_stdin` also waits for the end of standard input.
+  /// Waits for such a signal; with `or_stdin`, also for the end of standard input.
   void Wait(bool or_stdin) const;
 
  private:

@@ -24,7 +24,7 @@ bool IsBelow(const fs::path& folder, const fs::path& above) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-/// A label of DNS (RFC 1123), as names in Kubernetes are, that no other campaign has.
+/// A name for the Kubernetes job that is unique to the campaign. It is a DNS label (RFC 1123).
 std::string JobName(const Plan& plan) {
   constexpr std::size_t kMostOfName = 40, kOfFingerprint = 8;
   std::string name = "tera-" + plan.campaign.name.substr(0, kMostOfName);
@@ -48,7 +48,7 @@ std::string Indented(const std::string& text, const std::string& indent) {
 std::string WorkerScript(const Plan& plan, const WorkerCommand& worker) {
   std::string arguments;
   for (const std::string& word : worker.arguments) arguments += " " + ShellWord(word);
-  std::string crashes;  // statuses of a shell
+  std::string crashes;  // shell exit statuses after these signals
   for (const int signal : kCrashSignals) {
     crashes += fmt::format("{}{}", crashes.empty() ? "" : "|", 128 + signal);
   }
@@ -78,8 +78,9 @@ CampaignState RunOverSsh(const Plan& plan, const SshOptions& options) {
                                       ShellWord(fs::absolute(options.hosts)), kTriesOverSsh,
                                       ShellWord(plan.folder / "logs/parallel.tsv"));
   if (options.processes) arguments += fmt::format(" --jobs {}", *options.processes);
-  std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
-  // parallel joins its words to one line, which a shell reads again.
+  std::signal(SIGCHLD, SIG_DFL);  // if the parent ignored SIGCHLD, the child's status would be lost
+  // parallel joins its arguments to one line, which a shell parses again, so the script is quoted
+  // twice.
   ChildProcess parallel("parallel", arguments + " sh " + ShellWord(ShellWord(script)),
                         "install the package parallel; logs/parallel.tsv in the campaign's folder "
                         "has the status of each episode and host");

@@ -10,36 +10,39 @@
 
 namespace tera {
 
-/// Shell text that makes the episodes "$@", one after the other.
+/// Shell script that runs the episodes "$@" one after another.
 ///
-/// Model   an episode that crashes leaves a failure, as in the pool; one that was killed leaves
-///         none. The status is 1 if an episode neither came out nor failed, unless another worker
-///         makes it.
+/// Model   An episode that crashes leaves a failure file, as in the pool. An episode that is killed
+///         leaves none. The exit status is 1 if any episode neither succeeded nor failed, unless
+///         another worker runs that episode.
 std::string WorkerScript(const Plan& plan, const WorkerCommand& worker);
 
 struct SshOptions {
   WorkerCommand worker;
-  std::filesystem::path hosts;   ///< sshloginfile of GNU parallel
-  std::optional<int> processes;  ///< at once on each host; none: one for each core
+  std::filesystem::path hosts;   ///< file with the hosts: --sshloginfile of GNU parallel
+  std::optional<int> processes;  ///< episodes at a time per host; absent: one per core
 };
 
-/// Makes all missing episodes on hosts that see the folder, by GNU parallel over ssh.
+/// Runs all missing episodes by GNU parallel over ssh. All hosts must share the campaign's folder.
 ///
-/// Model   an episode whose host is lost, or that met an obstacle there, is tried three times.
-/// Throws  InputError where parallel is not installed or episodes met obstacles to the last.
+/// Model   An episode is tried three times if its host is lost or has an obstacle, such as a full
+///         disk.
+/// Throws  InputError if parallel is not installed, or if episodes still met obstacles in their
+///         last try.
 CampaignState RunOverSsh(const Plan& plan, const SshOptions& options);
 
 struct KubernetesOptions {
   WorkerCommand worker;
-  std::string image;                 ///< of a container with `tera`
-  std::string claim;                 ///< PersistentVolumeClaim that all computers share
-  std::filesystem::path mounted_at;  ///< the same path as where the campaign was planned
-  int parallel = 1, memory_mb = 0;   ///< pods at once; memory of each, 0: the cluster's default
+  std::string image;                 ///< container image with `tera`
+  std::string claim;                 ///< PersistentVolumeClaim that all nodes share
+  std::filesystem::path mounted_at;  ///< mount point of the volume; the path at which the campaign
+                                     ///< was planned
+  int parallel = 1, memory_mb = 0;   ///< pods at a time; memory per pod, 0: default of the cluster
 };
 
-/// An indexed Job (YAML) whose pod N makes episode N.
+/// YAML of an indexed Job in which pod N runs episode N.
 ///
-/// Throws  InputError if the campaign's folders are not on the volume.
+/// Throws  InputError if the folders of the campaign are not on the volume.
 std::string KubernetesJob(const Plan& plan, const KubernetesOptions& options);
 
 }  // namespace tera

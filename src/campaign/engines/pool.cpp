@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kUnmeasured_mb = 1000;
-constexpr double kUsableShare = 0.9;  ///< of the memory that is available
+constexpr double kUsableShare = 0.9;  ///< fraction of the free memory
 constexpr std::uintmax_t kFullDiskBytes = 1'000'000;
 constexpr int kNotStarted = 127;  ///< exit status of a child whose program cannot be started
 
@@ -38,7 +38,7 @@ double AvailableMb() {
   return kUnmeasured_mb;
 }
 
-/// The child's part between fork and exec: only calls that are safe there.
+/// Runs in the child between fork and exec, where only async-signal-safe calls are allowed.
 [[noreturn]] void BecomeWorker(const char* log, char* const* arguments) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int output = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -86,7 +86,8 @@ class Pool {
         peak_mb_(state.LargestPeakMb()) {}
 
   void Run() {
-    std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
+    std::signal(SIGCHLD, SIG_DFL);  // if the parent ignored SIGCHLD, statuses of children would be
+                                    // lost
     while (!left_.empty() || !running_.empty()) {
       while (!obstacle_ && !left_.empty() && HasRoom()) {
         running_[StartWorker(plan_, options_, left_.front())] = left_.front();
@@ -123,10 +124,10 @@ class Pool {
       peak_mb_ = std::max(peak_mb_, record.peak_mb);
       return;
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;  // another worker makes it
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;  // another worker runs this episode
     ++failed_;
     if (fs::exists(plan_.FailureFile(number))) return;
-    // A full disk fails whatever is tried, and cuts the log too.
+    // With a full disk every episode fails, and the log is incomplete.
     const bool is_full = fs::space(plan_.folder).available < kFullDiskBytes;
     if (WIFSIGNALED(status) && !is_full) {
       const int signal = WTERMSIG(status);

@@ -10,26 +10,26 @@ namespace tera {
 
 struct PoolProgress {
   int done = 0, failed = 0, running = 0, episodes = 0;
-  double wall_s = 0;  ///< since the pool began
-  double left_s = 0;  ///< expected; 0 while nothing is known
+  double wall_s = 0;  ///< since the pool started
+  double left_s = 0;  ///< expected remaining time; 0 if unknown
 };
 
 struct PoolOptions {
   WorkerCommand worker;
-  int processes = 1;  ///< at once; fewer where memory does not reach
+  int processes = 1;  ///< largest number of processes at a time; fewer if memory is short
   std::function<void(const PoolProgress&)> progress;
 };
 
-/// Makes all missing episodes by child processes, `tera campaign run FOLDER --index N`, each with
-/// its output in logs/.
+/// Runs all missing episodes in child processes, `tera campaign run FOLDER --index N`. The output
+/// of each goes to logs/.
 ///
-/// Model   a process starts when its expected memory is available beside that of those that run.
-///         Expected is the largest peak of an episode so far, 1 GB before the first. Children end
-///         with this process.
-///         An episode that another worker makes is left to it.
-/// Throws  InputError where another pool is at work on the folder, and of an obstacle of the
-///         computer, with the last lines of the log. It starts no further episodes then and waits
-///         for those that run.
+/// Model   A process starts if the expected memory of all processes fits into 90 % of the memory
+///         that was free at the start. The expected memory of a process is the largest peak of an
+///         episode so far, or 1 GB before the first episode ends. Children are killed if this
+///         process ends. Episodes that another worker runs are skipped.
+/// Throws  InputError if another pool runs on the folder, or if an episode meets an obstacle of the
+///         computer, such as a full disk. The message contains the last lines of the log. No
+///         further episodes start then; those running are completed first.
 CampaignState RunPool(const Plan& plan, const PoolOptions& options);
 
 }  // namespace tera

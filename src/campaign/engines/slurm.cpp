@@ -26,17 +26,20 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kShortestTask_s = 300;   ///< shorter ones burden the controller
-constexpr int kSilences = 40;             ///< answers that may be missing in a row
-constexpr double kFirstMemory_mb = 4000;  ///< where a task had too little, and nobody says how much
-constexpr int kObstacles = 2;  ///< that exclude a node: one may lie in the episode or a shared disk
+constexpr double kShortestTask_s = 300;   ///< shorter tasks burden the controller
+constexpr int kSilences = 40;             ///< number of queries in a row that may stay unanswered
+constexpr double kFirstMemory_mb = 4000;  ///< used if a task ran out of memory and its limit is
+                                          ///< unknown
+constexpr int kObstacles = 2;  ///< failed tasks that exclude a node; a single one may be due to the
+                               ///< episode or a shared disk
 constexpr std::size_t kMostEpisodesAtOnce = 100'000;
-constexpr std::size_t kShareOfJobs = 2;         ///< the controller keeps jobs of others too
-constexpr std::size_t kLastOfLog_bytes = 1000;  ///< shown where nothing more comes out
+constexpr std::size_t kShareOfJobs = 2;  ///< only 1/kShareOfJobs of the job limit is used, because
+                                         ///< the controller keeps jobs of other users too
+constexpr std::size_t kLastOfLog_bytes = 1000;  ///< shown if no episode succeeds any more
 
 struct Answer {
   int status = 0;
-  std::string text;  ///< of standard output and error
+  std::string text;  ///< standard output and error
 };
 
 Answer Ask(const std::string& command) {
@@ -66,7 +69,7 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-/// The value of KEY=VALUE in a line of `scontrol --oneliner`, or nothing.
+/// Value of KEY=VALUE in a line of `scontrol --oneliner`; empty if absent.
 std::string WordOf(const std::string& line, const std::string& key) {
   const std::size_t at = (" " + line).find(" " + key + "=");
   if (at == std::string::npos) return "";
@@ -74,7 +77,8 @@ std::string WordOf(const std::string& line, const std::string& key) {
   return line.substr(begin, line.find_first_of(" \n", begin) - begin);
 }
 
-/// "4000M", "3.50G" or "4000" in MB, as Slurm has it: 1 G is 1024 M. Nothing is 0.
+/// Parses a size such as "4000M", "3.50G" or "4000" to MB. As in Slurm, 1 G is 1024 M. An empty
+/// text is 0.
 double MbOf(const std::string& text) {
   constexpr std::string_view kUnits = "KMGT";
   const std::size_t unit = text.empty() ? kUnits.npos : kUnits.find(text.back());
@@ -83,10 +87,10 @@ double MbOf(const std::string& text) {
   return unit == kUnits.npos ? *number : *number * std::pow(1024.0, static_cast<double>(unit) - 1);
 }
 
-/// A job, or a task of an array, by `scontrol --oneliner show job`.
+/// A job, or a task of an array, from `scontrol --oneliner show job`.
 struct Task {
-  std::string id, state, node, log, array, place;  ///< place in the array
-  double memory_mb = 0;                            ///< 0 where it is unlimited
+  std::string id, state, node, log, array, place;  ///< place is the task's index in its array
+  double memory_mb = 0;                            ///< 0 if unlimited
 };
 
 Task TaskIn(const std::string& line) {
@@ -101,18 +105,19 @@ Task TaskIn(const std::string& line) {
               MbOf(WordOf(line, "MinMemoryCPU")) * std::max(1.0, MbOf(WordOf(line, "NumCPUs"))))};
 }
 
-/// The largest memory that a task can have on one node; infinite where Slurm does not say.
+/// Largest memory that a task can have on one node; infinite if Slurm does not report it.
 double AskLargestNode_mb() {
   double most_mb = 0;
   for (const std::string& line : LinesOf(Ask("scontrol --oneliner show nodes").text)) {
     const double here_mb = MbOf(WordOf(line, "RealMemory")) - MbOf(WordOf(line, "MemSpecLimit"));
     most_mb = std::max(most_mb, here_mb);
   }
-  return most_mb > 1 ? most_mb : std::numeric_limits<double>::infinity();  // 1: not configured
+  // Slurm reports 1 if memory is not configured
+  return most_mb > 1 ? most_mb : std::numeric_limits<double>::infinity();
 }
 
 struct Limits {
-  std::size_t of_array = 1000, of_jobs = 10'000;  ///< tasks; Slurm's own defaults
+  std::size_t of_array = 1000, of_jobs = 10'000;  ///< limits on tasks; these are Slurm's defaults
 };
 
 Limits AskLimits() {
@@ -138,7 +143,8 @@ class SlurmRun {
 
   CampaignState Run() {
     const FolderLock lock(plan_.folder);
-    std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
+    std::signal(SIGCHLD, SIG_DFL);  // if the parent ignored SIGCHLD, statuses of children would be
+                                    // lost
     if (fs::exists(JobsFile())) {
       const Jobs jobs = LinesOf(ReadWholeFile(JobsFile()));
       Say(fmt::format("waits for jobs {} of a run that was stopped", fmt::join(jobs, ", ")));
@@ -162,12 +168,12 @@ class SlurmRun {
   using Jobs = std::vector<std::string>;
   struct Array {
     std::vector<int> episodes;
-    std::size_t each = 1;  ///< episodes of a task
+    std::size_t each = 1;  ///< episodes per task
   };
 
   fs::path JobsFile() const { return plan_.folder / "slurm.jobs"; }
 
-  /// The state, in which episodes that were killed are missing and not failed.
+  /// Current state. Killed episodes count as missing instead of failed.
   CampaignState Collect() const {
     const CampaignState state = RefreshIndex(plan_);
     bool is_any = false;
@@ -178,7 +184,7 @@ class SlurmRun {
     return is_any ? RefreshIndex(plan_) : state;
   }
 
-  /// Episodes that failed for want of memory in the last arrays.
+  /// Episodes that failed for lack of memory in the last arrays.
   std::set<int> LackingIn(const CampaignState& state) const {
     std::set<int> lacking;
     for (const auto& [number, failure] : state.failed) {
@@ -188,8 +194,8 @@ class SlurmRun {
     return lacking;
   }
 
-  /// After arrays: where memory ran out the next have twice as much, up to that of the largest
-  /// node. What ran out of that fails.
+  /// After arrays in which memory was short: doubles the memory of the next arrays, up to that of
+  /// the largest node. If they already had that much, the affected episodes fail.
   void AskForMore() {
     const CampaignState state = RefreshIndex(plan_);
     const std::set<int> told = LackingIn(state);
@@ -209,7 +215,8 @@ class SlurmRun {
     lacking_.clear();
   }
 
-  /// Fails the first begun episode of a task that ran out of memory: the task was making that one.
+  /// Marks the first begun episode of a task as failed, because the task ran it when memory was
+  /// exhausted.
   void FailFirstBegun(const std::vector<int>& episodes, const CampaignState& state,
                       double most_mb) {
     const auto begun =
@@ -227,7 +234,7 @@ class SlurmRun {
     return each_s > 0 ? static_cast<std::size_t>(std::ceil(kShortestTask_s / each_s)) : 1;
   }
 
-  /// Script of an array, each case of which is a task's episodes.
+  /// Script of an array. Each case lists the episodes of one task.
   std::string Script(const std::vector<int>& numbers, std::size_t each) const {
     std::string script = "#!/bin/sh\ncase $SLURM_ARRAY_TASK_ID in\n";
     for (std::size_t begin = 0; begin < numbers.size(); begin += each) {
@@ -249,8 +256,9 @@ class SlurmRun {
                        ShellWord(plan_.folder / "slurm.sh"));
   }
 
-  /// Submits arrays. Where a limit on jobs refuses the first, it gets half as many tasks. Where the
-  /// limit refuses a later one, the rest waits for the next time.
+  /// Submits arrays for the missing episodes. If a job limit refuses the first array, it is
+  /// submitted with half as many tasks. If the limit refuses a later array, the remaining episodes
+  /// wait for the next call.
   Jobs Submit(const CampaignState& state) {
     const Limits limits = AskLimits();
     std::vector<int> left = state.missing;
@@ -286,8 +294,8 @@ class SlurmRun {
     return jobs;
   }
 
-  /// Waits until no task of the jobs waits or runs, and learns from those that ended otherwise than
-  /// they should.
+  /// Waits until no task of the jobs is pending or running. Evaluates tasks that did not end
+  /// normally.
   void Wait(const Jobs& jobs) {
     for (int silences = 0; silences < kSilences;) {
       std::this_thread::sleep_for(std::chrono::duration<double>(options_.poll_s));
@@ -309,7 +317,7 @@ class SlurmRun {
                     fmt::join(jobs, ", ")));
   }
 
-  /// Whether tasks are under way, which all are whose state is not a last one.
+  /// True if any task is pending or running, that is, in a state other than kLast.
   bool Look(const std::string& tasks) {
     static const std::set<std::string> kLast = {
         "BOOT_FAIL", "CANCELLED",     "COMPLETED", "DEADLINE", "FAILED",
@@ -343,7 +351,7 @@ class SlurmRun {
     }
   }
 
-  /// None of an array that a run submitted that was stopped.
+  /// Episodes of a task; empty if an earlier, interrupted run submitted the array.
   std::vector<int> EpisodesOf(const Task& task) const {
     const auto array = arrays_.find(task.array);
     const auto place = ParseNumber<std::size_t>(task.place);
@@ -354,7 +362,7 @@ class SlurmRun {
             numbers.begin() + static_cast<std::ptrdiff_t>(std::min(begin + each, numbers.size()))};
   }
 
-  /// The end of the log of a task that met an obstacle.
+  /// End of the log of the last task that failed.
   std::string LastObstacle() const {
     if (obstacle_log_.empty() || !fs::exists(obstacle_log_)) return "";
     const std::string text = ReadWholeFile(obstacle_log_);
@@ -378,15 +386,15 @@ class SlurmRun {
 
   const Plan& plan_;
   const SlurmOptions& options_;
-  int memory_mb_;       ///< asked for
-  double task_mb_ = 0;  ///< the most that a task of the last arrays had, by a default too
+  int memory_mb_;       ///< requested memory
+  double task_mb_ = 0;  ///< largest memory limit of a task in the last arrays, including defaults
   bool lacked_memory_ = false;
-  std::vector<std::vector<int>> lacking_;  ///< episodes of each task that ran out of memory
-  std::set<int> left_to_retry_;            ///< episodes that failed for want of memory
+  std::vector<std::vector<int>> lacking_;  ///< per task that ran out of memory, its episodes
+  std::set<int> left_to_retry_;  ///< episodes that failed for lack of memory and are not retried
   std::map<std::string, Array> arrays_;
-  std::map<std::string, int> obstacles_;  ///< of each node
-  std::set<std::string> excluded_;        ///< nodes
-  std::set<std::string> seen_;            ///< tasks that were learnt from
+  std::map<std::string, int> obstacles_;  ///< number of failed tasks by node
+  std::set<std::string> excluded_;        ///< excluded nodes
+  std::set<std::string> seen_;            ///< tasks already evaluated
   std::string obstacle_log_;
 };
 

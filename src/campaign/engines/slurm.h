@@ -11,25 +11,26 @@ namespace tera {
 
 struct SlurmOptions {
   WorkerCommand worker;
-  int per_task = 0;       ///< episodes of a task; 0: so many that a task lasts some minutes
-  int memory_mb = 0;      ///< of a task; 0: the cluster's default
-  int minutes = 0;        ///< of a task; 0: the cluster's default
-  int tries = 3;          ///< times in a row that all arrays may end without one episode
-  double poll_s = 30;     ///< between questions to the controller
-  std::string arguments;  ///< further ones of sbatch, as a shell has them
+  int per_task = 0;   ///< episodes per task; 0: enough for a task to last some minutes
+  int memory_mb = 0;  ///< memory per task; 0: default of the cluster
+  int minutes = 0;    ///< time limit per task; 0: default of the cluster
+  int tries = 3;  ///< number of rounds of arrays in a row that may end without a finished episode
+  double poll_s = 30;     ///< interval between queries to the controller
+  std::string arguments;  ///< more arguments for sbatch, in shell syntax
   std::function<void(const std::string&)> say;
 };
 
-/// Makes all missing episodes as job arrays of Slurm, and waits for them.
+/// Runs all missing episodes as job arrays of Slurm and waits for them.
 ///
-/// Model   a task makes several episodes by WorkerScript. The controller is asked for the state of
-///         tasks (scontrol), so that accounting is not needed; one that does not answer is asked
-///         again. Further arrays retry episodes that neither succeeded nor failed. They exclude
-///         nodes that were lost or met an obstacle twice, and double the memory where it ran out,
-///         up to that of the largest node: what needs more fails. Stopped episodes, as by a time
-///         limit, resume where they were. After a kill while arrays are
-///         under way, the next call waits for those arrays first.
-/// Throws  InputError if another engine is at work, or if Slurm is absent or refuses the array.
+/// Model   A task runs several episodes with WorkerScript. The states of tasks come from scontrol,
+///         so no accounting is required. If the controller does not answer, it is queried again.
+///         Further arrays retry episodes that neither succeeded nor failed; an interrupted episode,
+///         for example at a time limit, resumes. A retry excludes nodes that were lost or on which
+///         two tasks failed. After a lack of memory, it requests twice as much, up to the memory of
+///         the largest node. An episode that needs more than that fails. If this program is killed
+///         while arrays are running, the next call first waits for them.
+/// Throws  InputError if another engine runs the campaign, or if Slurm is missing or refuses the
+///         array.
 CampaignState RunOnSlurm(const Plan& plan, const SlurmOptions& options);
 
 }  // namespace tera

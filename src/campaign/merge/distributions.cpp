@@ -13,9 +13,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostCounted = 12;  ///< different values in a row of counts
+constexpr std::size_t kMostCounted = 12;  ///< largest number of different values that a row lists
 
-/// Value below which a share of sorted numbers lies.
+/// Value below which the fraction `share` of sorted numbers lies.
 double AtShare(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
 }

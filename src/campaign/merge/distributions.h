@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// Table (Markdown) of the values that factors and draws took: numbers by their quartiles, other
-/// values by their counts.
+/// Markdown table of the values that factors and draws took: quartiles of numbers, and counts of
+/// other values.
 std::string ValuesTable(const CampaignState& state);
 
-/// Tables (Markdown) of classes and of measured ranges.
+/// Markdown tables of classes and measured ranges.
 std::string ContentsTable(const DatasetStatistics& statistics);
 
-/// Adds the counts of classes, ranges, pictures, scans, boxes and points.
+/// Adds the counts of classes, ranges, images, scans, boxes and points to `sum`.
 void AddCounts(const DatasetStatistics& of_episode, DatasetStatistics* sum);
 
-/// Report (Markdown) of a campaign: its state, its values, and its episodes' costs.
+/// Markdown report of a campaign: state, values, and computing cost of episodes.
 std::string CampaignReport(const Plan& plan, const CampaignState& state);
 
 }  // namespace tera

@@ -34,7 +34,7 @@ void RequireAllMade(const Plan& plan, const CampaignState& state) {
                                 plan.campaign.episodes)});
 }
 
-/// Lints every episode. Returns the sum of their contents.
+/// Checks every episode with lint. Returns the sum of their statistics.
 DatasetStatistics LintAll(const Plan& plan, const CampaignState& state,
                           const MergeOptions& options) {
   DatasetStatistics sum;

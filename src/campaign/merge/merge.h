@@ -11,23 +11,23 @@
 namespace tera {
 
 struct MergeOptions {
-  std::filesystem::path out;  ///< new or empty
-  int every_frame = 10;       ///< lint opens one of so many frames of each camera and lidar
+  std::filesystem::path out;  ///< output folder, new or empty
+  int every_frame = 10;       ///< lint opens one out of this many frames of each camera and lidar
   std::function<void(int done, int episodes)> progress;
 };
 
 struct MergeReport {
-  int episodes = 0, left_out = 0;        ///< failed ones are left out
-  std::map<std::string, int> of_part;    ///< episodes
-  std::int64_t archives = 0, bytes = 0;  ///< of the whole folder
+  int episodes = 0, left_out = 0;        ///< number of failed episodes, which are left out
+  std::map<std::string, int> of_part;    ///< number of episodes by split
+  std::int64_t archives = 0, bytes = 0;  ///< of all files in the folder
 };
 
-/// Makes one dataset of all whole episodes: archives in WebDataset's form, the further formats, a
-/// card, croissant.json (with the publisher's facts) and splits.csv. Every episode passes `tera
-/// lint`, which also holds its files to their hashes. Order and bytes depend on the episodes alone.
+/// Merges all complete episodes into one dataset: WebDataset archives, additional formats, a card,
+/// croissant.json (if there are publisher's facts) and splits.csv. Every episode is checked by
+/// `tera lint`, including file hashes. Order and content depend only on the episodes.
 ///
-/// Throws  InputError: episodes that are still to be made, an episode with an error, splits that
-///         cannot be made, a folder that cannot be written. It then leaves nothing behind.
+/// Throws  InputError if episodes are missing, if lint finds an error, if splits are impossible, or
+///         if the folder cannot be written. No files are left then.
 MergeReport Merge(const Plan& plan, const MergeOptions& options);
 
 }  // namespace tera

@@ -65,7 +65,7 @@ std::map<int, std::string> PartsOf(const Campaign& campaign,
   std::vector<bool> is_empty(lacking.size(), true);
   for (const auto& [_, numbers] : groups) {
     auto most = std::max_element(lacking.begin(), lacking.end());
-    // The last groups go to the parts that still have none.
+    // The last groups go to splits that are still empty.
     if (left-- <= static_cast<std::size_t>(std::ranges::count(is_empty, true))) {
       most = lacking.begin() + (std::ranges::find(is_empty, true) - is_empty.begin());
     }

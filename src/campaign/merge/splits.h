@@ -8,13 +8,14 @@
 
 namespace tera {
 
-/// The part of each episode, by number; all empty without splits.
+/// Split of each episode, by episode number. All are empty if the campaign has no splits.
 ///
-/// Model   episodes of equal values of `by` are a group; without `by` each is its own. Groups, in
-///         the order of a hash of their values, go to the part that lacks most of its share. The
-///         result depends on the records alone.
-/// Throws  InputError if an episode has no value of a key, and if there are fewer groups than
-/// parts.
+/// Model   Episodes with equal values of `by` form a group; without `by`, each episode is a group.
+///         Groups are sorted by a hash of their values. Each group goes to the split that is
+///         furthest below its share; the last groups go to splits that are still empty. The result
+///         depends only on the records.
+/// Throws  InputError if an episode has no value for a key, or if there are fewer groups than
+///         splits.
 std::map<int, std::string> PartsOf(const Campaign& campaign,
                                    const std::map<int, EpisodeRecord>& records);
 

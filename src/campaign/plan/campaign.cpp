@@ -152,7 +152,6 @@ SweepOutcome ReadOutcome(const ConfigMap& entry) {
   return outcome;
 }
 
-/// Number of combinations of levels.
 double CellsOf(const Campaign& campaign) {
   double cells = 1;
   for (const DesignFactor& factor : campaign.factors) {

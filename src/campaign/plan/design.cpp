@@ -13,8 +13,8 @@
 namespace tera {
 namespace {
 
-/// The stratum of episode `number` in the factor's random permutation of strata. A Feistel network
-/// permutes the next power of four; numbers beyond the strata are permuted again (Black, Rogaway
+/// Stratum of an episode in the factor's random permutation of strata. A Feistel network permutes
+/// the next power of four. A result beyond the number of strata is permuted again (Black, Rogaway
 /// 2002).
 int StratumOf(const Stream& stream, int count, int number) {
   constexpr std::uint64_t kRounds = 8;
@@ -34,7 +34,7 @@ int StratumOf(const Stream& stream, int count, int number) {
   return static_cast<int>(place);
 }
 
-/// Places in (0, 1), one for each factor.
+/// Positions in (0, 1), one per factor.
 std::vector<double> LatinHypercube(const Campaign& campaign, int number) {
   std::vector<double> shares;
   for (const DesignFactor& factor : campaign.factors) {
@@ -51,7 +51,8 @@ std::vector<double> Sobol(const Campaign& campaign, int number) {
   const std::size_t count = campaign.factors.size();
   if (count == 0) return {};
   boost::random::sobol sequence(count);
-  sequence.discard(count * static_cast<std::size_t>(number));  // Boost begins after the origin
+  // Boost's sequence starts after the origin
+  sequence.discard(count * static_cast<std::size_t>(number));
   std::vector<double> shares;
   const double all = std::ldexp(1.0, 64);
   for (std::size_t f = 0; f < count; ++f) {

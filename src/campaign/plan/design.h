@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// A key and its value, as YAML.
 struct SetValue {
   std::string key, yaml;
 };
 
-/// The values of the factors in episode `number`, from 0: a pure function of the campaign.
+/// Values of the factors in episode `number`, counted from 0. The result is a pure function of the
+/// campaign.
 ///
-/// Model   full takes combinations of levels in turn, the last factor fastest. latin_hypercube has
-///         one random permutation of strata for each factor, and a random place in each stratum.
-///         sobol is the sequence without its first point, the origin. Levels share a factor's range
-///         evenly.
+/// Model   full: all combinations of levels in order, with the last factor fastest.
+///         latin_hypercube: one random permutation of strata per factor, and a random position
+///         within the stratum. sobol: the sequence without its first point, the origin. A factor
+///         with levels divides the unit interval into equal parts.
 /// Source  McKay, Beckman, Conover 1979; Joe, Kuo 2008, by Boost.Random.
 std::vector<SetValue> DesignPoint(const Campaign& campaign, int number);
 

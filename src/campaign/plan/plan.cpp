@@ -19,9 +19,9 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kSampledEpisodes = 16;  ///< loaded in planning
+constexpr int kSampledEpisodes = 16;  ///< number of episodes loaded during planning
 
-/// Makes a folder the working directory for its lifetime.
+/// Changes the working directory for the lifetime of the object.
 class WorkingFolder {
  public:
   explicit WorkingFolder(const fs::path& folder) : before_(fs::current_path()) {
@@ -45,7 +45,7 @@ class WorkingFolder {
   fs::path before_;
 };
 
-/// A fault of a value of the campaign gets the place of its factor or randomise:.
+/// Gives a fault of a campaign value the place of its factor or of `randomise`.
 InputFault AtItsPlace(const Campaign& campaign, InputFault fault) {
   constexpr std::string_view kGiven = "--set: ";
   if (!fault.place.starts_with(kGiven)) return fault;
@@ -69,7 +69,7 @@ LoadedScenario LoadUnder(const Campaign& campaign, const std::vector<std::string
   }
 }
 
-/// Digest of the scenario under these values, with all files that it names.
+/// Digest of the scenario with these overrides, including all files that it names.
 std::string ScenarioDigest(const Campaign& campaign, const std::vector<std::string>& overrides) {
   const LoadedScenario loaded = LoadUnder(campaign, overrides);
   std::string text = loaded.resolved_yaml;
@@ -89,7 +89,7 @@ bool MayNameFile(const std::string& level) {
   return level.find_first_of("./") != std::string::npos && !ParseFinite(level);
 }
 
-/// The first episode, up to `last`, of each "key=level" that may name files.
+/// For each "key=level" that may name files, the first episode up to `last` that uses it.
 std::map<std::string, int> FirstEpisodes(const Campaign& campaign, int last) {
   std::set<std::string> wanted;
   for (const DesignFactor& factor : campaign.factors) {
@@ -106,12 +106,13 @@ std::map<std::string, int> FirstEpisodes(const Campaign& campaign, int last) {
   return first;
 }
 
-/// Digest of the scenario under the values of an episode, before randomise: draws.
+/// Digest of the scenario with an episode's factor values, before the draws of `randomise`.
 std::string PointDigest(const Campaign& campaign, int number) {
   return ScenarioDigest(campaign, OverridesOf(DesignPoint(campaign, number)));
 }
 
-/// By the first episode of each level: other values may not fit it.
+/// The digest of a level is that of the first episode that uses it, because other combinations of
+/// values may be invalid.
 std::map<std::string, std::string> LevelDigests(const Campaign& campaign) {
   std::map<std::string, std::string> digests;
   for (const auto& [level, number] : FirstEpisodes(campaign, campaign.episodes - 1)) {

@@ -12,17 +12,19 @@
 
 namespace tera {
 
-/// A planned campaign: a folder that holds all that a worker must know.
+/// A planned campaign. Its folder contains everything that a worker needs.
 ///
-///     campaign.yaml     the campaign's file, as it was when planned
-///     plan.yaml         fingerprint, digests of levels, version of TERA, folder of relative paths
-///     episodes.csv      seed and factors of each episode, for reading
-///     episodes/000012/  a whole episode: data/ (a dataset), episode.yaml
+///     campaign.yaml     copy of the campaign file at the time of planning
+///     plan.yaml         fingerprint, digests of levels, TERA version, base of relative paths
+///     episodes.csv      seed and factors of each episode, for people
+///     episodes/000012/  a complete episode: data/ (a dataset) and episode.yaml
 ///     work/, failed/, logs/, index.sqlite
 struct Plan {
-  std::filesystem::path folder;  ///< absolute
-  std::string fingerprint;       ///< digest of the campaign, its scenario, levels and inputs
-  std::map<std::string, std::string> level_digests;  ///< of "key=level" that may name files
+  std::filesystem::path folder;  ///< absolute path
+  std::string fingerprint;       ///< digest of the campaign, its scenario, its levels and all input
+                                 ///< files
+  std::map<std::string, std::string> level_digests;  ///< digests for each "key=level" whose level
+                                                     ///< may name a file
   Campaign campaign;
 
   std::filesystem::path EpisodeFolder(int number) const;
@@ -31,31 +33,33 @@ struct Plan {
   std::filesystem::path LogFile(int number) const;
 };
 
-/// A field of a table, quoted where it must be.
+/// A field of a CSV file, quoted if necessary.
 std::string CsvField(const std::string& text);
 
-/// "000012".
+/// Name of an episode's folder, such as "000012".
 std::string EpisodeName(int number);
 
-/// Reads, checks and writes a campaign into `folder`. Planning the same campaign again changes
-/// nothing. Loads episodes spread over the campaign (all of a small one). This finds unknown keys
-/// and rules that no episode can fulfil.
+/// Reads and checks a campaign and writes the plan to `folder`. Planning the same campaign again
+/// changes nothing. Some episodes, spread over the campaign, are loaded to detect unknown keys and
+/// rules that no episode can meet; a small campaign is loaded completely.
 ///
-/// Throws  InputError: faults of the campaign at their place; a folder of another campaign or of
-///         another version of TERA.
+/// Throws  InputError for faults of the campaign, with their place, and if the folder belongs to
+///         another campaign or another TERA version.
 Plan MakePlan(const std::filesystem::path& campaign, const std::filesystem::path& folder);
 
-/// Reads a planned campaign. Throws InputError, also if it was planned by another version of TERA.
+/// Reads a planned campaign. Throws InputError if it is unreadable or was planned by another TERA
+/// version.
 Plan LoadPlan(const std::filesystem::path& folder);
 
-/// Throws InputError if the scenario of an episode is another than when planned: a file that it,
-/// its inputs or the episode's levels name has changed.
+/// Throws InputError if the scenario of an episode has changed since planning. This happens if a
+/// file that the scenario, its inputs or the levels name has changed.
 void RequireSameScenario(const Plan& plan, int number);
 
 /// Seed of a draw of an episode: hash(name, seed, number, draw), at most 53 bits.
 std::uint64_t EpisodeSeed(const Campaign& campaign, int number, int draw);
 
-/// The scenario of a draw of an episode. Throws InputError with the place of factors.
+/// Scenario for a draw of an episode. Throws InputError; faults of a factor's value have the
+/// factor's place.
 LoadedScenario EpisodeScenario(const Campaign& campaign, int number, int draw);
 
 }  // namespace tera

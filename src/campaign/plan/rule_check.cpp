@@ -23,7 +23,7 @@ bool HasCamera(const Scenario& scenario, const std::string& path) {
   return false;
 }
 
-/// Whether something with the class can be there. Machines and the ground have many classes.
+/// True if an object of the class can occur. Machines and the ground have several classes.
 bool MayBeSeen(const Scenario& scenario, SemanticClass label) {
   constexpr SemanticClass kOfObstacles[] = {SemanticClass::kTruck, SemanticClass::kPerson,
                                             SemanticClass::kRock,  SemanticClass::kBarrier,
@@ -36,7 +36,7 @@ bool MayBeSeen(const Scenario& scenario, SemanticClass label) {
                      [&](const ScenarioObstacle& obstacle) { return obstacle.label == label; });
 }
 
-/// The channels that a run's logs add.
+/// Collects the channels that the logs of a run add.
 class ChannelList : public MeasurementSink {
  public:
   ChannelId AddChannel(const ChannelInfo& info) override {
@@ -62,7 +62,7 @@ bool HasColumn(const Scenario& scenario, const TableColumn& figure) {
     }
     return false;
   }
-  return true;  // of a sensor; the run tells
+  return true;  // a column of a sensor is checked after the run
 }
 
 bool HasMachine(const Scenario& scenario, const std::string& name) {

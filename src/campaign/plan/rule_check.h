@@ -7,15 +7,15 @@
 
 namespace tera {
 
-/// Finds rules that no episode can meet, from scenarios alone: a class that no obstacle has, a
-/// camera, table, column or machine that is not there.
+/// Finds rules that no episode can meet, by examining scenarios only. Examples are a class that no
+/// object has, and a camera, table, column or machine that does not exist.
 class RuleCheck {
  public:
   explicit RuleCheck(const Campaign& campaign) : campaign_(campaign) {
     met_.resize(campaign.rules.size());
   }
   void Look(const Scenario& scenario);
-  /// Throws InputError with each rule that none of the scenarios could meet.
+  /// Throws InputError with every rule that no examined scenario can meet.
   void Finish() const;
 
  private:

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kTail = 0.025;  ///< of a 95 % interval
+constexpr double kTail = 0.025;  ///< tail probability of a 95 % interval
 
 double StudentFactor(int freedom) {
   return quantile(complement(boost::math::students_t(freedom), kTail));

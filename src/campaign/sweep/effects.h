@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// A run's outcome and its values of the factors, as YAML.
+/// Outcome of a run, and its factor values in YAML.
 struct SweptRun {
   int number = 0;
   std::vector<std::string> values;
@@ -18,25 +18,27 @@ struct LevelMean {
   std::string level;
   int runs = 0;
   double mean = 0;
-  /// Bounds of the 95 % interval of the mean; without, where there is one run.
+  /// 95 % confidence interval of the mean; absent if there is only one run.
   std::optional<double> low, high;
 };
 
-/// Change of the outcome with a number.
+/// Change of the outcome per unit of a numeric factor.
 struct Slope {
-  double per_unit = 0, low = 0, high = 0;  ///< with the bounds of its 95 % interval
+  double per_unit = 0, low = 0, high = 0;  ///< low and high: 95 % confidence interval
 };
 
-/// The effect of a factor, over all values of the others.
+/// Effect of a factor, averaged over the values of the other factors.
 struct FactorEffect {
   std::string key;
-  std::vector<LevelMean> levels;  ///< in the order of numbers, or of their first run
-  bool is_numeric = false;        ///< all its values are numbers
-  std::optional<Slope> slope;     ///< of numbers, from three runs on
+  std::vector<LevelMean> levels;  ///< sorted by value if numeric, otherwise in order of first
+                                  ///< occurrence
+  bool is_numeric = false;        ///< all levels are numbers
+  std::optional<Slope> slope;     ///< for a numeric factor with at least three runs
 };
 
-/// Model   intervals are Student's, with the spread of the runs of a level; a slope is by least
-///         squares, its interval from the residuals. Runs are independent.
+/// Model   Intervals use Student's t distribution and the standard deviation within a level. The
+///         slope is a least-squares fit; its interval uses the residuals. Runs are assumed
+///         independent.
 /// Omits   interactions of factors.
 /// Source  Montgomery, "Design and Analysis of Experiments", sections 2.4 and 10.4.
 std::vector<FactorEffect> EffectsOf(const std::vector<std::string>& keys,

@@ -19,15 +19,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNamed = 30;  ///< names in a message
+constexpr std::size_t kMostNamed = 30;  ///< largest number of names in a message
 
-/// A part of a path: a key, or what stands between brackets.
+/// A part of a path: a key, or the text within brackets.
 struct Part {
   std::string text;
   bool is_item = false;
 };
 
-/// Keys are separated by dots; dots between brackets belong to a name.
+/// Keys are separated by dots. A dot within brackets belongs to the name.
 std::vector<Part> PartsOf(const std::string& path) {
   std::vector<Part> parts;
   std::string word;

@@ -5,12 +5,13 @@
 
 namespace tera {
 
-/// A number of a JSON report.
+/// Reads a number from a JSON report.
 ///
-/// Model   `figure` is a path of keys, "summary.rmse_m"; `[2]` is an item of a list by its index,
-///         `[zone/around/seen_by_1]` the item that has that text as one of its values (its name).
-/// Throws  InputError, at `place`, if the path leads to no number; with the keys, indices or names
-///         that there are instead.
+/// Model   `figure` is a path of keys, such as "summary.rmse_m". `[2]` selects an item of a list by
+///         index. `[zone/around/seen_by_1]` selects the item that has this text as one of its
+///         values, such as its name.
+/// Throws  InputError at `place` if the path does not lead to a number. The message lists the keys,
+///         indices or names that exist.
 double ReportFigure(const std::filesystem::path& report, const std::string& figure,
                     const std::string& place);
 

@@ -25,7 +25,7 @@ std::string EndOf(const fs::path& log) {
   return text.size() <= kMostBytes ? text : text.substr(text.size() - kMostBytes);
 }
 
-/// Runs a program in `folder` with all its output in `log`. Returns its exit status, or -1.
+/// Runs a program in `folder` with its output in `log`. Returns its exit status, or -1.
 int RunIn(const fs::path& folder, std::vector<std::string> words, const fs::path& log) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -52,7 +52,7 @@ std::string Replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-/// The file of that name below `folder`; "*/" stands for the only folder that has it.
+/// The file `name` below `folder`. "*/" stands for the only folder that contains it.
 fs::path ReportIn(const fs::path& folder, const std::string& name) {
   constexpr std::string_view kAnyFolder = "*/";
   if (!name.starts_with(kAnyFolder) || !fs::exists(folder)) return folder / name;
@@ -86,7 +86,7 @@ double OutcomeOf(const Plan& plan, int number, const SweepOptions& options) {
   if (!fs::exists(report)) {
     const fs::path part = folder.string() + ".part";
     std::error_code nothing_there;
-    fs::remove_all(part, nothing_there);  // of a command that failed or was killed
+    fs::remove_all(part, nothing_there);  // left by a command that failed or was killed
     fs::remove_all(folder, nothing_there);
     MakeFolder(part);
     std::vector<std::string> words = {options.worker.program.string()};

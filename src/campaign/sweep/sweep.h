@@ -11,8 +11,8 @@
 namespace tera {
 
 struct SweepOptions {
-  WorkerCommand worker;  ///< program of the episodes and of the outcome's command
-  int processes = 1;     ///< commands of outcomes at once
+  WorkerCommand worker;  ///< program that runs the episodes and the outcome's command
+  int processes = 1;     ///< commands that run at a time
 };
 
 struct SweepResult {
@@ -21,19 +21,19 @@ struct SweepResult {
   std::vector<FactorEffect> effects;
 };
 
-/// Takes the outcome of an episode: runs the campaign's `outcome.run` on it, unless
-/// `outcomes/NUMBER/` holds the report already, and reads the figure. A command writes in
-/// `outcomes/NUMBER.part/`, which is renamed when it has ended well.
+/// Determines the outcome of an episode: runs the campaign's `outcome.run` on it and reads the
+/// figure. The command is skipped if `outcomes/NUMBER/` already contains the report. It writes to
+/// `outcomes/NUMBER.part/`, which is renamed after success.
 ///
-/// Throws  InputError: a command that fails, with the end of its output; a figure that is not
-/// there.
+/// Throws  InputError if the command fails, with the end of its output, or if the figure is
+///         missing.
 double OutcomeOf(const Plan& plan, int number, const SweepOptions& options);
 
-/// Takes the outcomes of the episodes `numbers`, several commands at once.
+/// Determines the outcomes of the episodes `numbers`, with several commands at a time.
 SweepResult TakeSweep(const Plan& plan, const std::vector<int>& numbers,
                       const SweepOptions& options);
 
-/// Writes runs.csv, sweep.csv, sweep.svg and sweep.md into the campaign's folder.
+/// Writes runs.csv, sweep.csv, sweep.svg and sweep.md to the campaign's folder.
 void WriteSweep(const SweepResult& sweep, const Plan& plan);
 
 }  // namespace tera

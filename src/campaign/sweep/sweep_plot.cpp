@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kWidth = 640, kPanel = 300, kLeft = 84, kRight = 20, kTop = 28, kBottom = 46;
 constexpr int kTicks = 5;
-constexpr double kMargin = 0.08;  ///< of an axis beyond its numbers
+constexpr double kMargin = 0.08;  ///< margin of an axis beyond its values, as a fraction
 constexpr std::size_t kMostLabels = 10;
 
 struct Axis {
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  double from = 0, to = 1;  ///< on the page
+  double from = 0, to = 1;  ///< position on the page
 
   void Hold(double value) {
     least = std::min(least, value);
@@ -113,7 +113,7 @@ class Panel {
     return svg;
   }
 
-  /// The line of least squares goes through the mean of all runs.
+  /// The least-squares line passes through the mean of all runs.
   std::string Line() const {
     if (!effect_.slope) return "";
     double x_mean = 0, y_mean = 0;

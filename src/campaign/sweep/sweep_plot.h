@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// SVG with a panel for each factor: runs as points, means of levels with their intervals. Numbers
-/// stand at their place, with the line of least squares; texts side by side, many with a label at
-/// each second, third and so on.
+/// SVG plot with one panel per factor. It shows runs as points, and means of levels with confidence
+/// intervals. Numeric levels are placed by value, with the least-squares line. Text levels are
+/// placed side by side; if there are many, only every n-th has a label.
 std::string SweepPlot(const std::vector<FactorEffect>& effects, const std::vector<SweptRun>& runs,
                       const std::string& figure);
 

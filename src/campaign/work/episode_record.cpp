@@ -59,7 +59,7 @@ void WriteRecord(const EpisodeRecord& record, const std::filesystem::path& file)
 }
 
 EpisodeRecord ReadRecord(const std::filesystem::path& file) {
-  constexpr double kMost = 9e15;  // integers that doubles hold exactly
+  constexpr double kMost = 9e15;  // integers below this are exact in doubles
   const Config config = Config::FromFile(file);
   const ConfigMap root = config.root();
   EpisodeRecord record;

@@ -9,29 +9,29 @@
 
 namespace tera {
 
-/// episode.yaml: how a whole episode came to be.
+/// Content of episode.yaml: how a complete episode was created.
 struct EpisodeRecord {
-  std::string fingerprint;  ///< of its campaign
+  std::string fingerprint;  ///< fingerprint of the campaign
   int number = 0;
-  int draw = 0;  ///< draws before it were refused
+  int draw = 0;  ///< number of rejected draws before this one
   std::uint64_t seed = 0;
-  std::map<std::string, std::string> values;  ///< of factors and randomise:, by key
-  std::vector<std::string> refused;           ///< the rule that refused each earlier draw
-  std::string sha256;  ///< digest of dataset.yaml, scenario.yaml and frames.sha256
+  std::map<std::string, std::string> values;  ///< values of factors and of `randomise`, by key
+  std::vector<std::string> refused;           ///< for each earlier draw, the rule that rejected it
+  std::string sha256;  ///< digest over dataset.yaml, scenario.yaml and frames.sha256
   std::int64_t bytes = 0, frames = 0;
   double simulated_s = 0;
-  double wall_s = 0, peak_mb = 0;  ///< of all its tries and draws
+  double wall_s = 0, peak_mb = 0;  ///< over all tries and draws
   std::string host;
 };
 
-/// Why an episode ended without a dataset. `tera campaign retry` clears those of which another try
-/// may end otherwise.
+/// Reason why an episode has no dataset. `tera campaign retry` deletes failures for which a retry
+/// may succeed.
 enum class FailureReason {
-  kBadInput,  ///< of the scenario under these values
-  kRefused,   ///< by the rules, draw after draw
-  kBug,       ///< an error of TERA's own
-  kMemory,    ///< there was too little
-  kKilled     ///< from outside
+  kBadInput,  ///< the scenario with these values is invalid
+  kRefused,   ///< every draw was rejected by the rules
+  kBug,       ///< an error in TERA
+  kMemory,    ///< lack of memory
+  kKilled     ///< killed from outside
 };
 struct Failure {
   FailureReason reason = FailureReason::kBug;
@@ -39,13 +39,13 @@ struct Failure {
 };
 
 std::string NameOf(FailureReason reason);
-/// Why an attempt ended that threw this.
+/// Reason of a failure that threw this exception.
 FailureReason ReasonOf(const std::exception& error);
-/// Whether another try may end otherwise.
+/// True if another try may succeed.
 bool IsWorthRetry(FailureReason reason);
 
 void WriteRecord(const EpisodeRecord& record, const std::filesystem::path& file);
-/// Throws InputError.
+/// Throws InputError if the file is unreadable.
 EpisodeRecord ReadRecord(const std::filesystem::path& file);
 void WriteFailure(const Failure& failure, const std::filesystem::path& file);
 Failure ReadFailure(const std::filesystem::path& file);

@@ -16,13 +16,13 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kBusyWait_ms = 60'000;  ///< for another process that brings the index up to date
+constexpr int kBusyWait_ms = 60'000;  ///< waiting time for another process that updates the index
 
 [[noreturn]] void FailIndex(const fs::path& file, FaultKind kind, const std::string& finding) {
   throw InputError(file.string(), {kind, finding + "; delete it, and it is made anew"});
 }
 
-/// A value bound to a statement.
+/// A value bound to an SQL statement.
 using Cell = std::variant<std::int64_t, double, std::string>;
 
 class Database {
@@ -35,7 +35,7 @@ class Database {
     sqlite3_busy_timeout(opened, kBusyWait_ms);
   }
 
-  /// Executes a statement; `visit` sees each row's columns as text.
+  /// Executes a statement. `visit` receives the columns of each row as text.
   template <typename Visit>
   void Execute(const char* sql, const std::vector<Cell>& cells, const Visit& visit) {
     sqlite3_stmt* prepared = nullptr;
@@ -101,7 +101,7 @@ void RequireOwnIndex(const Plan& plan, const fs::path& file, Database* index) {
   }
 }
 
-/// Numbers of the episodes that a folder's entries are named after, with an ending.
+/// Numbers of the episodes whose names occur in a folder, with an ending.
 std::vector<int> NumbersIn(const fs::path& folder, const std::string& ending = "") {
   std::vector<int> numbers;
   std::error_code none;

@@ -10,27 +10,29 @@
 
 namespace tera {
 
-/// Episodes of a campaign by how far they are.
+/// Episodes of a campaign by state.
 struct CampaignState {
   std::map<int, EpisodeRecord> done;
   std::map<int, Failure> failed;
-  std::set<int> begun;       ///< in work/: at work now, or stopped
-  std::vector<int> missing;  ///< neither done nor failed, in order
+  std::set<int> begun;       ///< in work/: running or interrupted
+  std::vector<int> missing;  ///< neither done nor failed, in ascending order
 
-  double LargestPeakMb() const;  ///< 0 without episodes
-  double MeanWall_s() const;     ///< 0 without episodes
+  double LargestPeakMb() const;  ///< largest peak memory of an episode; 0 if none is done
+  double MeanWall_s() const;     ///< mean duration of an episode; 0 if none is done
 };
 
-/// Updates index.sqlite to the folder's contents, and returns it. The index is derived: deleted, it
-/// is made anew. Table `episodes` has a row of each episode that is whole or failed.
+/// Updates index.sqlite to the content of the folder and returns the state. The index can be
+/// deleted, because it is derived from the folder. Its table `episodes` has one row per complete or
+/// failed episode.
 ///
-/// Throws  InputError: an index or an episode of another campaign, a file that is no index.
+/// Throws  InputError if the index or an episode belongs to another campaign, or if the file is not
+///         an index.
 CampaignState RefreshIndex(const Plan& plan);
 
-/// Report for people: counts, reasons, refusals by rule.
+/// Status report: counts, reasons of failures, and rejections by rule.
 std::string StatusText(const Plan& plan, const CampaignState& state);
 
-/// Clears the failures of which another try may end otherwise, or all. Returns their number.
+/// Deletes failures for which a retry may succeed, or all failures. Returns their number.
 int ClearFailures(const Plan& plan, bool all);
 
 }  // namespace tera

@@ -9,10 +9,10 @@
 
 namespace tera {
 
-/// The number that a rule asks for. Throws InputError if the dataset lacks the channel or column.
+/// The quantity that a rule tests. Throws InputError if the dataset lacks the channel or column.
 double FigureOf(const AcceptanceRule& rule, const std::filesystem::path& dataset);
 
-/// The name of the first rule that a finished dataset breaks.
+/// Name of the first rule that a finished dataset violates; nullopt if it satisfies all.
 std::optional<std::string> BrokenRule(const std::vector<AcceptanceRule>& rules,
                                       const std::filesystem::path& dataset);
 

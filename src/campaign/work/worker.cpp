@@ -39,10 +39,11 @@ std::string HostName() {
   return name.data();
 }
 
-/// Whether the computer is at fault and not the episode, so that no episode would come out: its
-/// disks, or a driver or program, which lies in no file.
+/// True if the computer is at fault instead of the episode: its disk, a driver or a missing
+/// program. Then every episode would fail. A fault without a place concerns a driver or program.
 bool IsOfTheComputer(const std::exception& error) {
-  if (dynamic_cast<const std::system_error*>(&error) != nullptr) return true;  // of files too
+  // includes errors of file systems
+  if (dynamic_cast<const std::system_error*>(&error) != nullptr) return true;
   const auto* input = dynamic_cast<const InputError*>(&error);
   return input != nullptr && std::ranges::any_of(input->faults(), [](const InputFault& fault) {
            return fault.kind == FaultKind::kUnwritable ||
@@ -56,10 +57,10 @@ bool IsOfFilesIn(const fs::path& folder, const InputError& error) {
   });
 }
 
-/// Time and memory of all tries of an episode, kept in its work folder.
+/// Time and memory of all tries of an episode, stored in its work folder.
 class Cost {
  public:
-  /// A try that was killed lasted until it wrote its last file.
+  /// A killed try is assumed to have lasted until its last write to a file.
   explicit Cost(const fs::path& work) : file_(work / "cost") {
     if (std::ifstream stream(file_); stream >> earlier_s_ >> peak_mb_) {
       const auto saved = fs::last_write_time(file_);
@@ -111,7 +112,7 @@ std::int64_t FramesIn(const fs::path& dataset) {
   return frames;
 }
 
-/// "key: value" texts and set values, by key.
+/// Factor values and drawn values, by key.
 std::map<std::string, std::string> ValuesOf(const Campaign& campaign, int number,
                                             const Scenario& scenario) {
   std::map<std::string, std::string> values;
@@ -123,7 +124,7 @@ std::map<std::string, std::string> ValuesOf(const Campaign& campaign, int number
   return values;
 }
 
-/// One episode in its work folder.
+/// A try to create an episode in its work folder.
 class Attempt {
  public:
   Attempt(const Plan& plan, int number, const WorkerOptions& options)
@@ -171,7 +172,7 @@ class Attempt {
   }
 
   void Simulate(const LoadedScenario& loaded, const fs::path& dataset) const {
-    if (fs::exists(dataset / "dataset.yaml")) return;  // stopped while it was judged
+    if (fs::exists(dataset / "dataset.yaml")) return;  // stopped while rules were checked
     const auto generate = [&] {
       Generate(loaded.scenario, loaded.resolved_yaml,
                {.out = dataset,
@@ -185,12 +186,13 @@ class Attempt {
       generate();
     } catch (const InputError& error) {
       if (IsOfTheComputer(error) || !IsOfFilesIn(IncompleteOf(dataset), error)) throw;
-      fs::remove_all(IncompleteOf(dataset));  // too damaged to go on with
+      fs::remove_all(IncompleteOf(dataset));  // too damaged to resume
       generate();
     }
   }
 
-  /// Whether the draw is accepted; it is then whole, with its record.
+  /// Creates the episode with this draw. Returns true if it is accepted; it is then complete, with
+  /// its record.
   bool Make(int draw) {
     EpisodeRecord record{.fingerprint = plan_.fingerprint, .number = number_, .draw = draw};
     const fs::path folder = work_ / fmt::format("draw_{}", draw), dataset = folder / "data";
@@ -256,7 +258,7 @@ bool RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
     if (error.faults().front().kind != FaultKind::kUnwritable) throw;
     return false;
   }
-  if (fs::exists(plan.EpisodeFolder(number))) return true;  // another worker has just made it
+  if (fs::exists(plan.EpisodeFolder(number))) return true;  // completed by another worker
   const fs::path failure = plan.FailureFile(number);
   if (fs::exists(failure)) RequireWorthRetry(failure);
   fs::remove(failure);

@@ -11,29 +11,30 @@
 
 namespace tera {
 
-/// Signals by which a program ends itself: a bug. Others come from outside, as where memory ran
-/// out.
+/// Signals by which a program ends because of a bug. Other signals come from outside, for example
+/// when memory is exhausted.
 inline constexpr std::array kCrashSignals = {SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS};
 
-/// How an engine starts a worker: `program campaign run FOLDER --index N arguments`.
+/// Command with which an engine starts a worker: `program campaign run FOLDER --index N arguments`.
 struct WorkerCommand {
-  std::filesystem::path program;  ///< `tera`, at this path wherever the engine starts it
+  std::filesystem::path program;  ///< path of `tera`, which must be the same on every host
   std::vector<std::string> arguments;
 };
 
 struct WorkerOptions {
-  int threads = 1;  ///< the bytes do not depend on it
+  int threads = 1;  ///< the result does not depend on it
   EglOptions egl;
 };
 
-/// Makes one episode, the same whenever, wherever and however often it is tried. An episode that is
-/// there is left as it is, and one that was killed goes on. Returns false for an episode that
-/// another worker is making, which is left to it.
+/// Runs one episode. The result does not depend on when, where or how often the episode is tried. A
+/// complete episode is not changed; an interrupted one resumes. Returns false if another worker is
+/// running the episode.
 ///
-/// Model   an episode is made in work/ and renamed when it is whole, with its record. Bad input, a
-///         bug, refusals by the rules and too little memory leave a failure in failed/. Faults of
-///         the computer (its disks, drivers, programs) and files changed since the plan leave none.
-/// Throws  InputError, also of an episode that failed before and would fail again.
+/// Model   An episode is created in work/ and renamed when complete, together with its record. Bad
+///         input, a bug, rejection by the rules and lack of memory leave a failure in failed/.
+///         Faults of the computer (disk, driver, missing program) and input files changed since
+///         planning leave none.
+/// Throws  InputError on failure, and for an episode that has failed before and would fail again.
 bool RunEpisode(const Plan& plan, int number, const WorkerOptions& options);
 
 }  // namespace tera

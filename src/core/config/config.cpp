@@ -39,7 +39,8 @@ Layer OverlayLayer(const Config::Overlay& overlay) {
   return layer;
 }
 
-/// A key may be read twice, and a file may occur in two layers.
+/// Adds a fault unless it is already in the list. Faults repeat if a key is read twice or a file
+/// occurs in two layers.
 void AddOnce(InputFault fault, std::vector<InputFault>* faults) {
   if (std::find(faults->begin(), faults->end(), fault) == faults->end()) {
     faults->push_back(std::move(fault));
@@ -55,8 +56,8 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
   auto document = std::make_shared<internal::ConfigDocument>();
   const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path(), ""};
   const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);
-  // Builds the layers from top to bottom: assigning or inserting a yaml-cpp node changes the target
-  // of all its handles.
+  // Layers are built from top to bottom, because assigning or inserting a yaml-cpp node changes the
+  // node behind all of its handles.
   std::vector<Layer> layers(with_overrides.begin(), with_overrides.end() - 1);
   for (auto overlay = overlays.rbegin(); overlay != overlays.rend(); ++overlay) {
     layers.push_back(OverlayLayer(*overlay));
@@ -112,7 +113,7 @@ void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(
 ConfigMap Config::root() const { return ConfigMap(document_->root); }
 
 void Config::Finish() const {
-  // Reports mistyped keys first; the faults that follow from them come later.
+  // Mistyped keys come first, because other faults often follow from them.
   std::vector<InputFault> faults;
   for (const auto& node : document_->nodes) {
     if (node->unread) continue;

@@ -18,41 +18,42 @@ namespace tera {
 ///     const std::string resolved = config.ResolvedYaml();
 class Config {
  public:
-  /// A file whose mapping `key` overlays the mapping `key` of a configuration.
+  /// A file with a mapping `key` that becomes a layer above the mapping `key` of a configuration.
   struct Overlay {
     std::filesystem::path file;
     std::string key;
   };
 
-  /// `overrides` are `key.path=value` texts as in --set; `a.b[2].c=1.5` addresses list items by
-  /// index. The last override of a key wins. Overlays rank below the overrides; later overlays rank
-  /// above earlier overlays. Throws InputError if a file is unreadable or no YAML, or if an
-  /// override or overlay is malformed.
+  /// `overrides` are texts `key.path=value` as in --set; `a.b[2].c=1.5` addresses a list item. If a
+  /// key is overridden twice, the last override wins. Overlays rank below overrides; a later
+  /// overlay ranks above an earlier one. Throws InputError if a file is unreadable or not YAML, or
+  /// if an override or overlay is malformed.
   static Config FromFile(const std::filesystem::path& file,
                          const std::vector<std::string>& overrides = {},
                          const std::vector<Overlay>& overlays = {});
-  /// For tests and generated text. Messages show `name`; paths are relative to the working
-  /// directory.
+  /// Reads text instead of a file. Messages show `name` as the file. Paths are relative to the
+  /// working directory.
   static Config FromText(const std::string& text, const std::string& name,
                          const std::vector<std::string>& overrides = {});
 
-  /// A value for one key from outside the file. Messages show `place`.
+  /// A value for one key that does not come from a file. Messages show `place`.
   struct GivenValue {
     std::string path, yaml, place;
   };
-  /// Lays values over all layers except the overrides; the last value of a key wins. Call this
-  /// function before any read of these keys. A path that does not have the form `a.b[2].c` is a
-  /// fault.
+  /// Adds values as a layer above all others except the overrides. If a key occurs twice, the last
+  /// value wins. Must be called before any of these keys is read. A path that is not of the form
+  /// `a.b[2].c` is a fault.
   void LayOver(const std::vector<GivenValue>& values);
-  /// Removes the values read at a root key from the resolved document.
+  /// Removes a root key and its values from the resolved document.
   void LeaveOut(const std::string& key);
 
-  /// Redirects files that File reads; the resolved document keeps their original names.
+  /// Redirects the files that ConfigMap::File reads. The resolved document keeps the original
+  /// names.
   void Move(std::vector<MovedFiles> moved);
   ConfigMap root() const;
-  /// Throws InputError with every fault, including unknown and repeated keys.
+  /// Throws InputError with all faults, including unknown and repeated keys.
   void Finish() const;
-  /// All values read, with defaults and included files resolved.
+  /// YAML with every value read, including defaults and the content of included files.
   std::string ResolvedYaml() const;
 
  private:
@@ -61,9 +62,9 @@ class Config {
   std::shared_ptr<internal::ConfigDocument> document_;
 };
 
-/// Folder that holds assets/, config/ and shaders/. The order of search is: environment variable
-/// TERA_DATA_DIR; share/tera next to the bin/ of the running program; source tree or installation
-/// of the library's build.
+/// Folder that contains assets/, config/ and shaders/. The search order is: the environment
+/// variable TERA_DATA_DIR; share/tera next to the bin/ of the running program; the source tree or
+/// installation folder of the build.
 std::filesystem::path DataRoot();
 
 }  // namespace tera

@@ -8,20 +8,19 @@
 
 namespace tera {
 
-/// A number from a file other than YAML, at the keys of `path`.
+/// A number that a non-YAML file defines for a key. `path` is the list of nested keys.
 struct GivenNumber {
   std::vector<std::string> path;
   double value = 0;
 };
 
-/// Lays numbers of `file` below all layers of the mapping, which names the file under one of its
-/// keys. A reader of the resolved document reads that file again.
+/// Adds numbers of `file` as the lowest layer of the mapping. One key of the mapping names this
+/// file. The resolved document does not store these numbers; its reader reads the file again.
 void LayBeneath(const ConfigMap& config, const std::string& file,
                 const std::vector<GivenNumber>& numbers);
 
-/// True if both keys exist and `key` occurs only in layers below `upper`, as in a preset below the
-/// file's own value. A caller that lets `upper` replace `key` does not read `key`, so the resolved
-/// document omits it.
+/// True if both keys exist and every layer with `key` is below the layers with `upper`. The caller
+/// then uses `upper` instead and does not read `key`, so the resolved document omits `key`.
 bool LiesBelow(const ConfigMap& config, std::string_view key, std::string_view upper);
 
 }  // namespace tera

@@ -9,15 +9,15 @@
 
 namespace tera {
 
-/// Number of faults so far in the whole configuration of `config`. Callers use it to skip checks of
-/// values from a faulty part.
+/// Number of faults so far in the document of `config`. Compare it before and after reading a part
+/// to skip checks on values of a faulty part.
 std::size_t FaultCount(const ConfigMap& config);
 
-/// A Choice that determines which other keys the mapping has. After a fault, missing and surplus
-/// keys of the mapping are not reported.
+/// A Choice whose value determines the other keys of the mapping. If the choice is faulty, the keys
+/// that the mapping lacks and its unknown keys are not reported.
 std::string ChoiceOfKeys(const ConfigMap& config, std::string_view key,
                          std::initializer_list<std::string_view> allowed);
-/// True after such a fault, or if the mapping is unreadable.
+/// True if the mapping is unreadable or its ChoiceOfKeys was faulty.
 bool IsUnread(const ConfigMap& config);
 
 }  // namespace tera

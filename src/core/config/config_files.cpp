@@ -14,7 +14,7 @@
 #include "core/config/portable_name.h"
 #include "core/error.h"
 
-/// Files that a configuration names: locations, presets and the data that TERA ships.
+/// Files that a configuration names: their locations, presets, and the data shipped with TERA.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -46,7 +46,7 @@ std::optional<std::string> KeptTexts::TextOf(const fs::path& file) {
 namespace internal {
 namespace {
 
-/// Base of a layer's relative paths, for messages.
+/// The base of a layer's relative paths, as messages name it.
 std::string BaseOf(const Layer& layer) {
   return layer.file == kOverlayName ? "the working directory" : layer.file;
 }
@@ -156,8 +156,8 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
 
 namespace {
 
-/// The file that `found` names, or the file `list` in the folder that it names, with its name in
-/// the resolved document.
+/// The file that `found` names, with its name for the resolved document. If `found` names a folder,
+/// the result is the file `list` in it.
 std::optional<InputFile> FileAt(internal::ConfigNode& node, std::string_view key,
                                 const Found& found, const std::string& list) {
   if (!found.node.IsScalar()) {
@@ -256,7 +256,8 @@ std::vector<InputFile> ConfigMap::Inputs() const {
 
 fs::path DataRoot() {
   if (const char* directory = std::getenv("TERA_DATA_DIR")) return directory;
-  // An installed program may be moved together with its data, away from its build prefix.
+  // The data is found next to the program, because an installation may be moved away from its build
+  // prefix.
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path beside = (program.parent_path() / TERA_DATA_FROM_BIN_DIR).lexically_normal();

@@ -7,7 +7,7 @@
 namespace tera::internal {
 namespace {
 
-/// Sets the style of every collection, because the emitter's setting does not override it.
+/// Sets flow style on every nested collection; the style of the emitter does not override theirs.
 void MakeFlow(YAML::Node node) {
   if (!node.IsMap() && !node.IsSequence()) return;
   node.SetStyle(YAML::EmitterStyle::Flow);

@@ -5,7 +5,7 @@
 #include "core/config/config_layers.h"
 #include "core/units.h"
 
-/// Lists of numbers, texts and mappings, and patches of their items.
+/// Lists of numbers, texts and mappings, and patches of single items.
 
 namespace tera {
 
@@ -31,14 +31,15 @@ void RecordNumbers(ConfigNode& node, std::string_view key, const std::vector<dou
   node.resolved[std::string(key)] = list;
 }
 
-/// A list, and the layers of each of its items; the first layer wins.
+/// A list with the layers of each item, topmost first.
 struct FoundList {
   Found list;
   std::vector<std::vector<Found>> items;
 };
 
-/// The first value that is not a mapping; it must be a list. Mappings before it are patches of that
-/// list's items, {index: keys}. If there is no list, adds a fault and returns nullopt.
+/// Finds the list among the values of `key`, topmost first. Values above it must be mappings
+/// {index: keys}, which patch items of the list. Reports a fault and returns nullopt if there is no
+/// list.
 std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
                                    const std::vector<Found>& values, const std::string& need) {
   const auto list = std::find_if(values.begin(), values.end(),

@@ -8,7 +8,7 @@
 #include "core/config/config_layers.h"
 #include "core/config/config_peek.h"
 
-/// Nested mappings, mappings in files and named mappings; faults and places.
+/// Nested mappings, mappings in files, named mappings, and places of faults.
 
 namespace tera {
 
@@ -26,7 +26,7 @@ using internal::Shown;
 
 namespace {
 
-/// Replaces an effect and removes it from the layers below.
+/// The word that removes an effect of the lower layers.
 constexpr char kNothing[] = "none";
 
 /// The layer of the mapping `found` at `key`.
@@ -39,7 +39,8 @@ Layer LayerAt(std::string_view key, const Found& found) {
           found.layer->is_patch};
 }
 
-/// Layers of the mapping at `key`: the overlaying patches and each layer's own mapping.
+/// Layers of the mapping at `key`: the patches and mappings of every layer that has the key,
+/// topmost first.
 std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   std::vector<Layer> layers;
   for (const Found& found : FindAll(node, key)) {
@@ -52,8 +53,8 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   return layers;
 }
 
-/// The value at a path of keys. Recursive, since assigning to a YAML::Node overwrites the node that
-/// it refers to: a loop variable would change the document.
+/// The value at a path of keys. The function is recursive because assignment to a YAML::Node
+/// overwrites the node it refers to, so a loop variable would change the document.
 std::optional<YAML::Node> ValueAt(const YAML::Node& map, std::span<const std::string> path) {
   if (path.empty()) return map;
   if (!map.IsMap()) return std::nullopt;
@@ -130,7 +131,7 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
     } else if (found.node.IsScalar()) {
       const std::string path = Join(found.layer->path, key);
       if (auto loaded = internal::LoadLayer(*node_, key, found, path)) layers.push_back(*loaded);
-      break;  // a file replaces the layers below
+      break;  // the file replaces all lower layers
     } else {
       AddFault(*node_, key, found,
                fault::Mistyped(Shown(found.node), "a file's path or a mapping"));
@@ -164,7 +165,8 @@ std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& co
                          kNothing));
   }
   if (layers.empty()) {
-    // The lower layer exists again when the resolved document is read.
+    // A reader of the resolved document adds the LayBeneath layer again, so `none` must be
+    // recorded.
     if (values.back().layer->beneath) Record(node, key, kNothing);
     return std::nullopt;
   }

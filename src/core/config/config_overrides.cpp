@@ -5,13 +5,13 @@
 #include "core/config/config_layers.h"
 #include "core/error.h"
 
-/// `key.path=value` texts as layers above a file.
+/// Overrides: texts `key.path=value` that become layers above a file.
 
 namespace tera::internal {
 namespace fs = std::filesystem;
 namespace {
 
-/// Keys of `a.b[2].c`: a, b, 2 and c; empty for a malformed path.
+/// Splits a path: `a.b[2].c` gives a, b, 2 and c. Empty for a malformed path.
 std::vector<std::string> KeysOf(std::string_view path) {
   std::vector<std::string> keys;
   for (std::size_t at = 0; at < path.size();) {

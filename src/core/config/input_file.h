@@ -5,13 +5,14 @@
 
 namespace tera {
 
-/// A file other than YAML that a configuration names as input.
+/// An input file that a configuration names and that is not YAML itself.
 struct InputFile {
-  std::string name;            ///< PortableName, as in resolved documents and recordings
-  std::filesystem::path path;  ///< location of the file
+  std::string name;  ///< portable name (PortableName), as resolved documents and recordings store
+                     ///< it
+  std::filesystem::path path;
 };
 
-/// Redirects files named `from`, or below it, to `to`.
+/// A file named `from`, or a file below it, is read at `to` instead.
 struct MovedFiles {
   std::string from;  ///< prefix of a portable name
   std::filesystem::path to;

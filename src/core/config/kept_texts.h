@@ -8,10 +8,11 @@
 
 namespace tera {
 
-/// Texts of YAML files, each as it was when it was first read. Any thread may use it.
+/// Cache of YAML file texts. A file keeps the text of its first read even if the file changes
+/// later. Thread-safe.
 class KeptTexts {
  public:
-  /// While it exists, configurations of this thread read their files through `texts`.
+  /// While a Reading exists, all configurations of its thread read their files from `texts`.
   class Reading {
    public:
     explicit Reading(KeptTexts* texts);
@@ -23,7 +24,8 @@ class KeptTexts {
     KeptTexts* outer_;
   };
 
-  /// The text of `file` by this thread's Reading, or from the disk. Returns nullopt if unreadable.
+  /// Text of `file` from the cache that this thread reads, or from disk without one. Returns
+  /// nullopt if the file is unreadable.
   static std::optional<std::string> TextOf(const std::filesystem::path& file);
 
  private:

@@ -9,9 +9,10 @@
 
 namespace tera {
 
-/// The file that `key` names (see ConfigMap::File), or the files of a list. `key` may also name a
-/// folder that contains `list`, a file that lists the folder's files, as recorders write it. An
-/// absent file is a fault; the result is then empty.
+/// The files that `key` names: a single file or a list of files. A single path may also be a folder
+/// that contains a file called `list`; the result is then that file. Recording programs write such
+/// list files. An absent file is a fault and gives an empty result. Paths resolve as in
+/// ConfigMap::File.
 std::vector<std::filesystem::path> FilesOrList(const ConfigMap& config, std::string_view key,
                                                const std::string& list);
 

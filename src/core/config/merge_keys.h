@@ -4,9 +4,9 @@
 
 namespace tera::internal {
 
-/// Applies YAML 1.1 merge keys: each mapping below `node` gains the mappings that its key `<<`
-/// names. The mapping's own keys win, followed by earlier items of a list. Throws YAML::Exception
-/// with the place if `<<` holds another type.
+/// Applies YAML 1.1 merge keys (`<<`) in each mapping below `node`. Keys of the mapping itself win
+/// over merged keys; in a list of merged mappings, earlier mappings win. Throws YAML::Exception
+/// with line and column if the value of `<<` is not a mapping or a list of mappings.
 void ApplyMergeKeys(const YAML::Node& node);
 
 }  // namespace tera::internal

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// The unit factor perturbs the last digits, so the text omits them.
+/// Writes `value / unit`. A division makes the last digits inexact, so the text has only 12 digits.
 std::string InUnit(double value, double unit) {
   return unit == 1 ? fmt::format("{}", value) : fmt::format("{:.12g}", value / unit);
 }

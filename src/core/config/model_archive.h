@@ -12,17 +12,17 @@
 
 namespace tera {
 
-/// Reads a model from a mapping, or writes it as YAML, with one description of its keys.
-/// `void Serialize(ModelArchive*, M*)` visits the keys of a model M in YAML order.
+/// Reads a model from a mapping or writes it as YAML. A model type M provides one function for both
+/// directions: `void Serialize(ModelArchive*, M*)` visits each key of M in YAML order.
 ///
-/// Model   A YAML value times `unit` is the member's value: a key in degrees has the unit kDeg for
-///         a member in radians. An absent key leaves its member unchanged. The mapping receives the
-///         faults.
+/// Model   The member's value is the YAML value times `unit`. For example, kDeg converts a key in
+///         degrees to a member in radians. An absent key leaves its member unchanged. Faults are
+///         reported at the mapping.
 /// Source  Drake, common/yaml: one Serialize function for reading and writing.
 class ModelArchive {
  public:
   explicit ModelArchive(const ConfigMap& source) : sources_{source} {}
-  /// Writes YAML indented by `blanks`.
+  /// Creates an archive that writes YAML indented by `blanks` spaces.
   explicit ModelArchive(int blanks) : blanks_(blanks) {}
   const std::string& yaml() const { return yaml_; }
 
@@ -48,7 +48,7 @@ class ModelArchive {
   void Need(std::string_view key, std::vector<double>* values, const Range& each, std::size_t most,
             double unit = 1);
 
-  /// An optional part, present if its key exists.
+  /// An optional part; it has a value if the key exists.
   template <typename Part>
   void Visit(std::string_view key, std::optional<Part>* part) {
     if (!Enter(key, part->has_value())) return;
@@ -57,7 +57,8 @@ class ModelArchive {
     Leave();
   }
 
-  /// Reports a fault at `key` unless `holds`; an empty `key` reports at the whole part.
+  /// Reports `fault` at `key` unless `holds` is true. With an empty `key`, the fault is at the
+  /// whole mapping.
   void Check(bool holds, std::string_view key, const InputFault& fault) const;
 
  private:
@@ -67,7 +68,8 @@ class ModelArchive {
   bool Enter(std::string_view key, bool is_written);
   void Leave();
 
-  std::vector<ConfigMap> sources_;  ///< innermost last; empty when writing
+  std::vector<ConfigMap> sources_;  ///< nested mappings being read, innermost last; empty when
+                                    ///< writing
   int blanks_ = 0;
   std::string yaml_;
 };

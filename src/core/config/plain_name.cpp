@@ -37,7 +37,7 @@ std::string MadePlain(std::string_view name) {
 
 bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name) {
   if (IsPlainName(name)) return true;
-  if (name.empty() && !key.empty()) return false;  // Text has reported the fault
+  if (name.empty() && !key.empty()) return false;  // ConfigMap::Text has already reported it
   config.Fault(key,
                {FaultKind::kMalformed,
                 fmt::format("name '{}' cannot name a folder or a column; need letters, digits, "

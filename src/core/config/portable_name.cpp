@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kShipped = "tera:";
-/// Folders of the source tree that an installation contains.
+/// Folders of the source tree that an installation also has.
 constexpr std::array<std::string_view, 4> kShippedFolders = {"assets", "config", "examples",
                                                              "shaders"};
 
@@ -30,7 +30,7 @@ std::string PortableName(const fs::path& path) {
   if (error) return path.generic_string();
   const fs::path absolute = internal::Canonical(plain.parent_path()) / plain.filename();
   for (const fs::path& relative :
-       {plain.lexically_relative(DataRoot()),  // also if a folder of the path is a link
+       {plain.lexically_relative(DataRoot()),  // the path as written, if a folder on it is a link
         absolute.lexically_relative(internal::Canonical(DataRoot()))}) {
     if (IsShipped(relative)) return std::string(kShipped) + relative.generic_string();
   }
@@ -39,7 +39,8 @@ std::string PortableName(const fs::path& path) {
 
 bool Concerns(const MovedFiles& moved, const std::string& name) {
   if (moved.from.empty() || !name.starts_with(moved.from)) return false;
-  const bool ends = moved.from.ends_with('/') || moved.from == kShipped;  // end of a folder name
+  // the prefix ends at a folder boundary
+  const bool ends = moved.from.ends_with('/') || moved.from == kShipped;
   return ends || name.size() == moved.from.size() || name[moved.from.size()] == '/';
 }
 

@@ -8,15 +8,16 @@
 
 namespace tera {
 
-/// "tera:..." for a file that TERA ships, identical on every computer; otherwise the absolute path
-/// with resolved folder links. A link to a file keeps its own name, because the file's references
-/// are relative to the link.
+/// A file name that is valid on other computers where possible. A file shipped with TERA is named
+/// "tera:...". Any other file has an absolute path in which links to folders are resolved. A link
+/// to a file is not resolved, because paths inside the file are relative to the link.
 std::string PortableName(const std::filesystem::path& path);
 
-/// Location of the file with that portable name. The first applicable entry of `moved` wins.
+/// Location of the file with the given portable name. If several entries of `moved` apply, the
+/// first wins.
 std::filesystem::path PlaceOfInput(const std::string& name, const std::vector<MovedFiles>& moved);
 
-/// True if the name is `moved.from` or below it.
+/// True if `name` is `moved.from` or a path below it.
 bool Concerns(const MovedFiles& moved, const std::string& name);
 
 }  // namespace tera

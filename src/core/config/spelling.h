@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// " (did you mean 'x'?)" with the candidate nearest to `word`; empty if no candidate is near.
+/// The text " (did you mean 'x'?)" with the candidate closest to `word`; empty if none is close.
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& candidates);
 
 /// Converts ASCII capitals to lower case.

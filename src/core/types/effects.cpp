@@ -25,7 +25,8 @@ double ReadParameter(const ConfigMap& map, const EffectParameter& parameter) {
                              : map.Number(name, range);
 }
 
-/// Description of the accepted value: "its parameters, {width: 0 to 0.9}, or none to take it away".
+/// Text of the accepted values, such as "its parameters, {width: 0 to 0.9}, or none to take it
+/// away".
 std::string NeedOf(const Mechanism& mechanism) {
   std::vector<std::string> items;
   for (const EffectParameter& p : mechanism.parameters) {
@@ -36,7 +37,8 @@ std::string NeedOf(const Mechanism& mechanism) {
                      fmt::join(items, ", "));
 }
 
-/// Reports mechanisms of the library that act only on other targets.
+/// Reports each effect in `config` whose mechanism exists in the library but acts only on other
+/// targets.
 void ReportMisplaced(const ConfigMap& config, EffectTarget target,
                      std::span<const Mechanism> library) {
   std::vector<std::string_view> fitting;

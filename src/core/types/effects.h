@@ -8,13 +8,13 @@
 
 #include "core/config/config.h"
 
-/// Physical effects beyond the ideal model, by name. The simulator is a chain of slots, each ideal
-/// by default. A mechanism is an operator in one slot. Simulation and replay use the same
-/// parameters.
+/// Physical effects that the ideal model lacks, such as dead bands and delays. The simulator is a
+/// chain of slots. An empty slot is ideal. A mechanism is an operator that fills one slot.
+/// Simulation and replay apply the same parameters.
 
 namespace tera {
 
-/// Slots in causal order, from a lever to a measurement.
+/// Slots in causal order, from lever command to measurement.
 enum class Slot {
   kCommandTiming,
   kLeverMap,
@@ -29,12 +29,12 @@ enum class Slot {
   kSensorTiming
 };
 
-/// Name of a slot in reports: "command_timing".
+/// Name of a slot in reports, such as "command_timing".
 std::string_view NameOf(Slot slot);
 
-/// Kind of object that a mechanism acts on. YAML addresses a joint, gear, pump or sensor by its
-/// name and the whole machine's motion by `base`. One axis of an encoder set has both names:
-/// `encoders/boom`. Other sensor kinds define their own targets.
+/// Kind of object that a mechanism acts on. YAML uses the object's name, or `base` for the motion
+/// of the whole machine. An axis of an encoder set is named after both: `encoders/boom`. Sensor
+/// types outside this list define their own EffectTarget.
 struct EffectTarget {
   std::string_view name;  ///< name in messages: "an imu", "a track or wheel set"
 
@@ -60,7 +60,7 @@ struct EffectParameter {
   std::string_view name;  ///< key in YAML, with its unit: "delay_s"
   std::string_view unit;  ///< "1" for a dimensionless parameter
   double lower = 0, upper = 0;
-  std::optional<double> otherwise;  ///< default, if YAML may omit the parameter
+  std::optional<double> otherwise;  ///< default; without a default, the parameter is required
   bool whole = false;               ///< integers only
 };
 
@@ -74,25 +74,25 @@ struct Mechanism {
   bool ActsOn(EffectTarget target) const;
 };
 
-/// A mechanism with its parameter values, in the order of its parameters.
+/// A mechanism with values for its parameters, in the order of Mechanism::parameters.
 struct Effect {
   const Mechanism* mechanism = nullptr;
   std::vector<double> values;
 
-  /// The value of a parameter that the mechanism must have.
+  /// Value of the named parameter. The mechanism must define it.
   double operator[](std::string_view parameter) const;
 };
 
-/// All effects of one target; each mechanism occurs once.
+/// All effects of one target. A mechanism occurs at most once.
 using Effects = std::vector<Effect>;
 
 /// The effect of mechanism `id`, or nullptr.
 const Effect* FindEffect(const Effects& effects, std::string_view id);
 
-/// Reads the mapping of one target, such as `{dead_band: {width: 0.1}, actuator_ring: none}`.
-/// `library` may contain one id several times, for targets with different parameters. Only
-/// mechanisms that act on `target` are read. `none` removes the effect of a lower layer. `config`
-/// receives the faults: another mechanism, a number out of range or an absent parameter.
+/// Reads the effects of one target, such as `{dead_band: {width: 0.1}, actuator_ring: none}`. Only
+/// mechanisms of `library` that act on `target` are accepted. The library may define the same id
+/// twice with different parameters for different targets. The word `none` removes an effect that a
+/// lower configuration layer sets. Faults are reported at `config`.
 Effects ReadEffects(const ConfigMap& config, EffectTarget target,
                     std::span<const Mechanism> library);
 

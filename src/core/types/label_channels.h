@@ -11,32 +11,32 @@
 
 #include "core/types/measurement.h"
 
-/// Ground-truth images that a camera may produce in addition to colour and depth, as one table.
-/// Cameras, the rasterizer, datasets, overviews and the live interfaces iterate over it.
+/// Table of the ground-truth images that a camera can produce besides colour and depth. Cameras,
+/// rasterizer, dataset writers, overviews and live interfaces iterate over this table.
 
 namespace tera {
 
 /// Source of a channel.
 enum class LabelSource {
-  kLabelWord,      ///< bit range of a 32-bit word that a shader writes per pixel
-  kSurfaceNormal,  ///< RGBA16 that a shader writes: n / 2 + 1/2 in W; all 0 without a surface
-  kSurfaces,       ///< computed by the camera from depth, bodies, ground and earlier images
-  kAir,            ///< computed by the camera from depth and airborne particles
-  kOptics          ///< from the camera's lens and glass
+  kLabelWord,      ///< a range of bits in a 32-bit word that a shader writes per pixel
+  kSurfaceNormal,  ///< a shader writes RGBA16: n / 2 + 1/2 in W; all zero without a surface
+  kSurfaces,       ///< the camera computes it from depth, bodies, ground and earlier images
+  kAir,            ///< the camera computes it from depth and airborne particles
+  kOptics          ///< the camera computes it from its lens and the soiling of the glass
 };
 
-/// Colour map of a channel in overviews.
+/// Colour scheme of a channel in overview images.
 enum class LabelColours {
   kClasses,     ///< colours of SemanticClass
-  kPanoptic,    ///< colour of the instance, or of the SemanticClass without an instance
-  kNumbers,     ///< distinct numbers have distinct colours
+  kPanoptic,    ///< colour by instance; by SemanticClass where a pixel has no instance
+  kNumbers,     ///< a distinct colour for each number
   kDirections,  ///< three components as red, green and blue
-  kFlow,        ///< hue by direction, strength by length
-  kNearness,    ///< warm for small values, 0 black
-  kRise         ///< red above 32768, blue below it, 0 black
+  kFlow,        ///< hue shows direction; saturation shows length
+  kNearness,    ///< warm colours for small values; black for 0
+  kRise         ///< red above 32768, blue below, black for 0
 };
 
-/// Image of the frame. Its pixel type is also the type of the PNG file.
+/// Pointer to the image in CameraFrame. The PNG file has the same pixel type.
 using LabelPicture =
     std::variant<Image<std::uint8_t> CameraFrame::*, Image<std::uint16_t> CameraFrame::*>;
 
@@ -44,11 +44,11 @@ struct LabelChannel {
   std::string_view name;  ///< key in the camera's `labels`, dataset folder and ROS topic
   LabelPicture picture;
   int components;  ///< 1: grey; 3: RGB
-  bool is_usual;   ///< included in `labels: true`
+  bool is_usual;   ///< produced by the setting `labels: true`
   LabelSource source;
   int first_bit;  ///< offset in the label word
   LabelColours colours;
-  std::string_view caption;  ///< caption in the overview
+  std::string_view caption;
 };
 
 inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
@@ -84,7 +84,7 @@ inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
      LabelColours::kNumbers, "soil in flight"},
 }};
 
-/// Set of channels by table index.
+/// Set of channels. A bit's position is the channel's index in kLabelChannels.
 using LabelSet = std::bitset<kLabelChannels.size()>;
 
 inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormalChannel = 2,
@@ -100,12 +100,11 @@ inline LabelSet UsualLabels() {
   return usual;
 }
 
-/// Table index of a channel.
 inline std::size_t IndexOf(const LabelChannel& channel) {
   return static_cast<std::size_t>(&channel - kLabelChannels.data());
 }
 
-/// Calls `visit(channel, picture)` for each channel, including empty images.
+/// Calls `visit(channel, image)` for every channel, even if its image is empty.
 template <typename Frame, typename Visit>
 void ForEachLabel(Frame& frame, const Visit& visit) {
   for (const LabelChannel& channel : kLabelChannels) {
@@ -113,7 +112,7 @@ void ForEachLabel(Frame& frame, const Visit& visit) {
   }
 }
 
-/// Bytes of one component of a pixel.
+/// Bytes per component of a pixel.
 inline std::size_t ComponentBytes(const LabelChannel& channel) {
   return std::visit(
       [](const auto picture) {

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Semantic class of a surface. Label images and scans store the value. The dataset format fixes
-/// the order; new classes extend the end.
+/// Semantic class of a surface. Label images and scans store these numbers, so existing values
+/// never change; new classes get the next value.
 enum class SemanticClass : std::uint8_t {
   kSky = 0,      ///< no surface
   kTerrain = 1,  ///< undisturbed or disturbed ground
@@ -19,7 +19,7 @@ enum class SemanticClass : std::uint8_t {
   kBucket = 6,
   kBlade = 7,
   kTrack = 8,
-  kVehicle = 9,  ///< another machine without separate parts
+  kVehicle = 9,  ///< a machine of another kind, labelled as a whole
   kTruck = 10,
   kPerson = 11,
   kRock = 12,

@@ -12,14 +12,14 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kMostKnots = 1000;
-constexpr double kMostShare = 9;  ///< ten times the rate
+constexpr double kMostShare = 9;  ///< a share of 9 gives ten times the rate
 
 constexpr std::string_view kNeed =
     "a table, {variable: NAME, unit: UNIT, as: added or share, at: [..], value: [..], low: [..], "
     "high: [..]}, or none to take it away";
 
-/// Returns the variable that `map` names. An unknown name is a fault; the first variable is
-/// returned.
+/// Returns the variable that `map` names. For an unknown name, reports a fault and returns the
+/// first variable.
 LearnedVariable ReadVariable(const ConfigMap& map, std::span<const LearnedVariable> variables) {
   const std::string name = map.Text("variable"), unit = map.Text("unit");
   const auto at = std::find_if(variables.begin(), variables.end(),
@@ -84,7 +84,8 @@ void ReadTable(const ConfigMap& map, LearnedEffect* learned) {
   CheckBand(map, *learned);
 }
 
-/// Linear decay from `end` to 0 over `interval`, at distance `beyond` outside the last knot.
+/// Value at the distance `beyond` outside the end knot: falls linearly from `end` to 0 over
+/// `interval`.
 double Tapered(double end, double beyond, double interval) {
   return end * std::max(0.0, 1 - beyond / interval);
 }

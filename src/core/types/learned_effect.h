@@ -20,25 +20,26 @@ struct LearnedVariable {
   std::size_t axis = 0;  ///< index of the lever's axis: joints first, then gears
 };
 
-/// A learned residual of a rate that no mechanism explains, tabulated over one variable.
+/// A correction to a rate, learned from the residual that no mechanism explains. It is a table over
+/// one variable.
 ///
-/// Model   c(x) is piecewise linear between knots. Beyond the end knots it falls linearly to 0 over
-///         the length of the adjacent interval, and stays 0, since no data support it. The rate
-///         gains c, or c times itself for a share. The band states the uncertainty and does not
-///         affect the simulation; an absent bound equals the value.
+/// Model   The correction c(x) is piecewise linear between knots. Beyond an end knot, c falls
+///         linearly to 0 over the length of the last interval and stays 0, because there are no
+///         data. The simulated rate becomes rate + c, or rate (1 + c) if `is_share` is true. `low`
+///         and `high` bound the uncertainty of c for reports; the simulation ignores them.
 struct LearnedEffect {
   LearnedVariable variable;
   bool is_share = false;
-  std::vector<double> at;     ///< at least two knots, strictly increasing
-  std::vector<double> value;  ///< one per knot; at least -1 for a share
+  std::vector<double> at;     ///< knots of the variable: at least two, strictly increasing
+  std::vector<double> value;  ///< c at each knot; at least -1 if is_share
   std::vector<double> low, high;
 
   double At(double x) const;
 };
 
-/// Reads `learned:` of one target, with its variable among `variables`: {variable: position/boom,
-/// unit: rad, as: share, at: [..], value: [..], low: [..], high: [..]}. Returns nullopt if the key
-/// is absent or `none`. `target` receives the faults.
+/// Reads the key `learned` of one target: {variable: position/boom, unit: rad, as: share, at: [..],
+/// value: [..], low: [..], high: [..]}. The variable must be in `variables`. Absent bounds equal
+/// the value. Returns nullopt if the key is absent or `none`. Faults are reported at `target`.
 std::optional<LearnedEffect> ReadLearnedEffect(const ConfigMap& target,
                                                std::span<const LearnedVariable> variables);
 

@@ -2,7 +2,7 @@
 
 #include "core/motion.h"
 
-/// Appearance of parts without a mesh file.
+/// Appearance of parts that have no mesh file.
 
 namespace tera {
 
@@ -14,13 +14,13 @@ struct Solid {
   Vec3 size_m = Vec3::Zero();  ///< edge lengths of the bounding box
 };
 
-/// Linear colour of a whole part.
+/// Uniform colour of a part. The albedo is linear, not sRGB.
 struct Paint {
   Vec3 albedo = Vec3(0.5, 0.5, 0.5);
   double opacity = 1.0;
 };
 
-/// Paint that a screen shows as the sRGB colour (red, green, blue) in [0, 1].
+/// Converts an sRGB colour in [0, 1] to linear paint.
 ///
 /// Source  IEC 61966-2-1.
 Paint PaintFromSrgb(const Vec3& rgb, double opacity);

@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-/// The square that contains (x, y), clamped to the site, and the position within the square.
+/// The grid square that contains (x, y), and the position (u, v) in [0, 1] within it. A point
+/// outside the site is clamped to the border.
 struct Square {
   int i, j;
   double u, v;
@@ -23,7 +24,7 @@ Square Locate(const TerrainGrid& grid, double x_m, double y_m) {
   return {i, j, gx - i, gy - j};
 }
 
-/// Height of one corner and the slopes along x and y of the triangle that contains (u, v).
+/// Plane of the triangle that contains (u, v): the height at a corner and the slopes along x and y.
 struct Plane {
   double height_m;
   Vec2 slope;
@@ -141,7 +142,7 @@ void TerrainSurface::Refine(int a, int b) {
   ++version_[tile_index(a, b)];
 }
 
-/// Visits the tiles whose squares meet at vertex (i, j).
+/// Visits each tile that has a square at vertex (i, j).
 template <typename Visit>
 void TerrainSurface::ForTilesAround(int i, int j, Visit visit) {
   const int a0 = std::max(0, (i - 1) / kTileCells), a1 = std::min(i / kTileCells, tiles_x() - 1);
@@ -154,8 +155,8 @@ void TerrainSurface::ForTilesAround(int i, int j, Visit visit) {
 void TerrainSurface::Set(int i, int j, const Vertex& vertex) {
   const Slot slot = SlotOf(i, j);
   if (block_of_[slot.tile] >= 0 && blocks_[block_of_[slot.tile]][slot.local] == vertex) return;
-  // Tiles that share this vertex are refined too: the edges of a coarse tile are straight, and
-  // could not follow it.
+  // Every tile that shares this vertex is refined. The straight edges of a coarse tile could not
+  // pass through the new height.
   ForTilesAround(i, j, [&](int a, int b) {
     Refine(a, b);
     ++version_[tile_index(a, b)];

@@ -10,10 +10,11 @@
 
 namespace tera {
 
-/// Vertex grid of the ground.
+/// Grid of ground vertices.
 ///
-/// Frames  W. Vertex (i, j) is at origin_W_m + cell_m * (i, j). Tiles of kTileCells x kTileCells
-///         squares cover the grid; the last tiles may have fewer squares.
+/// Frames  W world. Vertex (i, j) is at origin_W_m + cell_m * (i, j). The grid is divided into
+///         tiles of kTileCells x kTileCells squares; the last tile of a row or column may be
+///         smaller.
 struct TerrainGrid {
   static constexpr int kTileCells = 50;
 
@@ -34,19 +35,19 @@ struct TerrainGrid {
   bool operator==(const TerrainGrid&) const = default;
 };
 
-/// The visible ground: written by the soil model, read by cameras and lidars.
+/// The visible ground. The soil model writes it; cameras and lidars read it.
 ///
-/// Frames  W. The surface is the triangle mesh over the vertices, each square split along the
-///         diagonal from (i, j) to (i+1, j+1).
-/// Model   Undisturbed ground stores a height at every `base_cells()`-th vertex and one cover per
-///         tile; plane triangles join these vertices. Setting a vertex refines every tile that
-///         contains it, borders included. Refinement allocates the tile's own vertices and does not
-///         change the surface. A tile's version grows with each change, so that readers refresh
-///         only dirty tiles. Weather wets and dries all ground alike: moisture that is set stays
-///         within the bounds of its soil's Wetness.
+/// Frames  W world. The surface is a triangle mesh over the vertices. The diagonal of each square
+///         runs from (i, j) to (i+1, j+1).
+/// Model   A tile starts undisturbed: it stores a height at every `base_cells()`-th vertex and one
+///         cover for the whole tile. Planar triangles connect these vertices. Setting a vertex
+///         refines every tile that contains the vertex, tile borders included. A refined tile
+///         stores all of its vertices; refinement itself does not change the surface. The version
+///         of a tile grows with each change, so readers update only changed tiles. Weather limits
+///         the moisture of all ground of one soil to the bounds in Wetness.
 class TerrainSurface : public TerrainGrid {
  public:
-  /// Visible ground state at a vertex.
+  /// Visible state of the ground at a vertex.
   struct Cover {
     std::uint8_t soil = 0;       ///< index into the scenario's soils
     std::uint8_t moisture = 0;   ///< degree of saturation, 0..255 for 0..1
@@ -60,17 +61,18 @@ class TerrainSurface : public TerrainGrid {
     bool operator==(const Vertex&) const = default;
   };
 
-  /// Bounds that weather sets on the surface moisture of a soil. The scale is Cover::moisture's.
+  /// Bounds that weather imposes on the surface moisture of one soil, on the scale of
+  /// Cover::moisture.
   struct Wetness {
     std::uint8_t least = 0, most = 255;
     bool operator==(const Wetness&) const = default;
   };
 
-  /// A clod in the air or rolling down a slope.
+  /// A soil clod in the air or rolling down a slope.
   struct Grain {
     Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();  ///< centre
     float radius_m = 0;
-    std::uint16_t number = 0;   ///< identifies a clod and selects its orientation
+    std::uint16_t number = 0;   ///< identifies the clod; also determines its orientation
     std::uint8_t soil = 0;      ///< as in Cover
     std::uint8_t moisture = 0;  ///< as in Cover
   };
@@ -78,35 +80,36 @@ class TerrainSurface : public TerrainGrid {
   TerrainSurface() = default;
   /// Level ground at height 0.
   explicit TerrainSurface(const TerrainGrid& grid);
-  /// Undisturbed ground. `base_height_m` is row-major over every `base_cells`-th vertex and the
-  /// last vertex along x and y. `tile_cover` has one entry per tile. `base_cells` divides
+  /// Undisturbed ground. `base_height_m` is row-major over every `base_cells`-th vertex, plus the
+  /// last vertex along x and y. `tile_cover` has one entry per tile. `base_cells` must divide
   /// kTileCells.
   TerrainSurface(const TerrainGrid& grid, int base_cells, std::vector<float> base_height_m,
                  std::vector<Cover> tile_cover);
 
-  /// The vertex with its present moisture.
+  /// The vertex with its moisture limited by the weather's bounds.
   Vertex at(int i, int j) const;
-  /// The vertex as set, without changes of its moisture by weather.
+  /// The vertex as stored, before the weather's bounds apply to its moisture.
   Vertex AsSet(int i, int j) const;
   float height_m(int i, int j) const;
-  /// Height of the triangle mesh at (x, y) in W; outside the site, the nearest border value.
+  /// Height of the triangle mesh at (x, y) in W. Outside the site, returns the height of the
+  /// nearest border point.
   double HeightAt(double x_m, double y_m) const;
-  /// Height of the lowest vertex; visits all vertices.
+  /// Height of the lowest vertex. The cost is linear in the number of vertices.
   double Lowest_m() const;
   /// Upward unit normal of the triangle under (x, y).
   Vec3 NormalAt(double x_m, double y_m) const;
 
-  /// Soil that moves through the air above the surface.
+  /// Clods that move above the surface.
   const std::vector<Grain>& grains() const { return grains_; }
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
-  /// Moisture by weather, for each soil; ground of soils beyond the list keeps its moisture.
+  /// Sets the moisture bounds, indexed by soil. A soil without an entry has no bounds.
   void SetWetness(std::vector<Wetness> by_soil);
-  /// Becomes equal to `other`. Copies only the tiles whose versions differ if both represent the
-  /// same initial ground, otherwise all tiles.
+  /// Makes this surface equal to `other`. Copies only tiles with different versions if both
+  /// surfaces started from the same ground; otherwise copies all tiles.
   void Follow(const TerrainSurface& other);
-  /// Allocates the vertices of tile (a, b) and of its border.
+  /// Allocates all vertices of tile (a, b), borders included.
   void Refine(int a, int b);
   bool IsRefined(int a, int b) const { return block_of_[tile_index(a, b)] >= 0; }
   /// Vertex spacing of undisturbed tiles, in squares.
@@ -114,12 +117,12 @@ class TerrainSurface : public TerrainGrid {
   /// Vertex spacing of tile (a, b), in squares.
   int step_cells(int a, int b) const { return IsRefined(a, b) ? 1 : base_cells_; }
 
-  /// Starts at 1 and grows when a vertex of the tile or of its border changes.
+  /// Starts at 1. Grows when a vertex of the tile, borders included, changes.
   std::uint32_t tile_version(int a, int b) const { return version_[tile_index(a, b)]; }
 
  private:
-  // A block holds the vertices that a tile owns: the lower left corners of its squares. At the end
-  // of the grid it also holds the last vertices.
+  // Vertices owned by one tile: the lower left corners of its squares. The last tile along an axis
+  // also owns the vertices at the end of the grid.
   static constexpr int kRowBits = 6;
   using Block = std::array<Vertex, 1 << (2 * kRowBits)>;
   struct Slot {
@@ -135,15 +138,15 @@ class TerrainSurface : public TerrainGrid {
   std::vector<float> base_height_m_;
   std::vector<Cover> tile_cover_;
   std::vector<std::uint32_t> version_;
-  std::vector<std::int32_t> block_of_;  ///< one per tile; -1 while undisturbed
-  std::deque<Block> blocks_;            ///< 100 MB on a large site; growth moves no block
+  std::vector<std::int32_t> block_of_;  ///< index into blocks_ per tile; -1 if undisturbed
+  std::deque<Block> blocks_;  ///< a deque, because growth must not copy 100 MB of a large site
   std::vector<Grain> grains_;
   std::vector<Wetness> wetness_;
 };
 
-/// Number of base vertices along an axis of `n` vertices.
+/// Number of base vertices along an axis with `n` vertices.
 inline int BaseVertexCount(int n, int base_cells) { return (n - 2) / base_cells + 2; }
-/// Vertex at which base vertex `a` stands.
+/// Grid index of base vertex `a` on an axis with `n` vertices.
 inline int BaseVertex(int a, int n, int base_cells) { return std::min(a * base_cells, n - 1); }
 
 }  // namespace tera

@@ -7,8 +7,9 @@
 
 namespace tera {
 
-/// Statistics of any number of values in bounded memory: exact mean and root mean square, and
-/// quantiles from bins of equal width. Values beyond the bins count in the first or last one.
+/// Statistics of a stream of values in bounded memory. Mean and root mean square are exact.
+/// Quantiles come from bins of equal width. A value outside the bins counts in the first or last
+/// bin.
 class BinnedValues {
  public:
   BinnedValues(double from, double to, double width)
@@ -26,8 +27,8 @@ class BinnedValues {
   std::int64_t count() const { return count_; }
   double mean() const { return count_ > 0 ? sum_ / double(count_) : 0; }
   double rms() const { return count_ > 0 ? std::sqrt(square_sum_ / double(count_)) : 0; }
-  /// The value below which the fraction `share` of all lies, linear within its bin; 0 without
-  /// values.
+  /// The value below which the fraction `share` of the values lies, interpolated linearly within
+  /// its bin; 0 if there are no values.
   double Quantile(double share) const {
     const double wanted = share * double(count_);
     double below = 0;

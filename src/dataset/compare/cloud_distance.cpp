@@ -11,20 +11,20 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kNeighbours = 32;
-constexpr std::size_t kMostJudged = 10'000;              ///< points of one cloud
-constexpr std::size_t kPatch = 200, kMostPatches = 500;  ///< of DeviationsOnPlanes
-constexpr double kLeastSlant = 0.5;                      ///< cosine from the normal
-constexpr double kLeastBreadth = 0.2;                    ///< second over first principal deviation
-constexpr double kMostDepth = 0.1;                       ///< third over second principal deviation
+constexpr std::size_t kMostJudged = 10'000;              ///< points evaluated per cloud
+constexpr std::size_t kPatch = 200, kMostPatches = 500;  ///< sizes for DeviationsOnPlanes
+constexpr double kLeastSlant = 0.5;    ///< cosine of the angle between ray and normal
+constexpr double kLeastBreadth = 0.2;  ///< second principal deviation divided by the first
+constexpr double kMostDepth = 0.1;     ///< third principal deviation divided by the second
 
 Eigen::Vector3f PlaceOf(const LidarPoint& point) { return {point.x_m, point.y_m, point.z_m}; }
 
-/// A plane through points.
+/// A plane fitted to points.
 struct FittedPlane {
   Vec3 mean_m, normal;
 };
 
-/// The plane of the nearest of `places_m`, if they lie in one.
+/// Plane through the nearest of `places_m`; nullopt if they are not planar.
 std::optional<FittedPlane> PlaneOf(const std::vector<Eigen::Vector3f>& places_m,
                                    const std::vector<FoundPoint>& nearest) {
   const auto n = static_cast<double>(nearest.size());
@@ -36,7 +36,7 @@ std::optional<FittedPlane> PlaneOf(const std::vector<Eigen::Vector3f>& places_m,
     scatter_m2 += away_m * away_m.transpose() / n;
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> principal(scatter_m2);
-  const Vec3 deviation_m = principal.eigenvalues().cwiseMax(0).cwiseSqrt();  // ascending
+  const Vec3 deviation_m = principal.eigenvalues().cwiseMax(0).cwiseSqrt();  // in ascending order
   const bool is_broad = deviation_m[2] > 0 && deviation_m[1] >= kLeastBreadth * deviation_m[2];
   if (!is_broad || deviation_m[0] > kMostDepth * deviation_m[1]) return std::nullopt;
   return FittedPlane{mean_m, principal.eigenvectors().col(0)};

@@ -21,7 +21,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kTellsHeading_m = 1;  ///< shortest path that determines a heading
+constexpr double kTellsHeading_m = 1;  ///< a shorter path does not determine a heading
 
 /// One column over time.
 struct Signal {
@@ -55,7 +55,7 @@ std::vector<Signal> SignalsOf(const Recording& recording, const std::string& pat
   return signals;
 }
 
-/// b minus a at the times of a that lie within b, with b interpolated.
+/// Difference b - a at the times of a that lie within b, with b interpolated.
 ChannelDifference Difference(const std::string& channel, const Signal& a, const Signal& b) {
   ChannelDifference d{channel, a.column};
   double sum = 0, square_sum = 0;
@@ -80,7 +80,7 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
   return d;
 }
 
-/// Appends the differences of the number series that both machines have.
+/// Appends the differences of all time series that both machines have.
 void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
                    MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
@@ -91,7 +91,7 @@ void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
     const std::string channel = folder.substr(prefix.size());
     const std::string other = machine->name_b + "/" + channel;
     if (!b.Has(other) || b.TypeOf(other) != a.TypeOf(folder)) continue;
-    // In a sensor's name a dot is an ordinary character.
+    // A sensor's name may contain a dot; only a table has a file name extension.
     const bool is_table = a.TypeOf(folder) == kTableChannel;
     const std::string name = is_table ? fs::path(channel).replace_extension().string() : channel;
     const auto signals_b = SignalsOf(b, other, shift_ns);
@@ -147,7 +147,7 @@ MachineComparison CompareMachine(const RecordedMachine& a, const RecordedMachine
   return machine;
 }
 
-/// "imu (imu), gnss_left (gnss)"
+/// Text such as "imu (imu), gnss_left (gnss)".
 std::string ChannelsText(const Recording& recording, const std::string& machine) {
   std::vector<std::string> names;
   for (const ChannelDescription& channel : recording.channels()) {
@@ -229,7 +229,7 @@ void AppendTrack(std::string* text, const TrackComparison& track) {
   text->push_back('\n');
   AppendErrors(text, "APE, not aligned", track.unaligned, is_turned);
   AppendErrors(text, "APE, SE(2) aligned", track.aligned_se2, is_turned);
-  // The SE(3) alignment makes a heading alone meaningless as a rotation.
+  // After SE(3) alignment, the rotation error is meaningless if only the heading is known.
   AppendErrors(text, "APE, SE(3) aligned", track.aligned_se3,
                track.rotation == TrackComparison::Rotation::kAll);
   TrajectoryError relative;
@@ -268,7 +268,7 @@ Curve ErrorCurve(const std::string& title, const TrajectoryError& error,
   return curve;
 }
 
-/// The charts of one track: its path, and its errors over time.
+/// Adds two charts of a track: its path, and its errors over time.
 void AddCharts(const Comparison& comparison, const std::string& name, const TrackComparison& track,
                std::vector<Chart>* charts) {
   charts->push_back({name + ": from above, SE(2) aligned",
@@ -291,7 +291,7 @@ void AddCharts(const Comparison& comparison, const std::string& name, const Trac
                      errors(&PoseErrorSample::rotation_rad, kDeg, is_all)});
 }
 
-/// Folder and scenario: two runs of one scenario differ in the folder.
+/// Name with folder and scenario, because runs of one scenario differ only in the folder.
 std::string NameOf(const Recording& recording) {
   return fmt::format("{} ({})", recording.directory().filename().string(),
                      recording.info().scenario_name);

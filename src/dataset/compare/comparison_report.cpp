@@ -134,7 +134,6 @@ Json MachineJson(const MachineComparison& machine) {
   return json;
 }
 
-/// Two pictures of one height beside each other.
 Picture SideBySide(const Picture& a, const Picture& b) {
   Picture both(a.width_px + b.width_px, std::max(a.height_px, b.height_px), 3);
   Paste(a, 0, 0, &both);
@@ -142,7 +141,6 @@ Picture SideBySide(const Picture& a, const Picture& b) {
   return both;
 }
 
-/// Writes the worst frames of one machine.
 class WorstFrames {
  public:
   WorstFrames(const Recording& a, const Recording& b, const MachineComparison& machine,

@@ -7,12 +7,12 @@
 
 namespace tera {
 
-/// The numbers of a comparison as JSON: trajectories, channels, scans and pictures of each machine.
+/// JSON of a comparison: trajectories, channels, scans and images of each machine.
 std::string ComparisonJson(const Comparison& comparison);
 
-/// Writes the worst frames of every lidar and camera into a new folder, reference left and compared
-/// right, each as <machine>_<sensor>_<place>_<t_ns>.png: scans from above at one scale, pictures as
-/// they are. Returns the number of files. Throws InputError if the folder holds files.
+/// Writes images of the worst frames of each lidar and camera to a new folder, as
+/// <machine>_<sensor>_<place>_<t_ns>.png with the reference on the left. Scans are drawn from above
+/// at equal scale. Returns the number of files. Throws InputError if the folder contains files.
 int WriteWorstFrames(const Comparison& comparison, const std::filesystem::path& a,
                      const std::filesystem::path& b, const std::filesystem::path& folder);
 

@@ -9,7 +9,7 @@ namespace {
 
 using SquaredDistance = cvflann::L2_Simple<float>;
 
-/// FLANN's view of numbers that it does not change.
+/// Read-only view of numbers for FLANN.
 cvflann::Matrix<float> RowsOf(const float* numbers, std::size_t rows) {
   return {const_cast<float*>(numbers), rows, 3};
 }

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Sums over the pictures of one side.
+/// Sums over the images of one recording.
 class PictureSums {
  public:
   void Add(const std::filesystem::path& folder, const CameraFrame& frame,
@@ -90,7 +90,7 @@ PictureComparison ComparedPictures(const RecordedMachine& a, const RecordedMachi
   return comparison;
 }
 
-/// The figures of a class in the other side's, if it is there.
+/// Statistics of the class with this name; null if absent.
 const SurfaceRealism* FindSurface(const Realism& realism, const std::string& name) {
   const auto found = std::find_if(realism.surfaces.begin(), realism.surfaces.end(),
                                   [&](const SurfaceRealism& s) { return s.name == name; });

@@ -9,24 +9,25 @@
 
 namespace tera {
 
-/// Colour pictures of a camera in one recording.
+/// Statistics of a camera's colour images in one recording.
 struct PictureSide {
   int width_px = 0, height_px = 0;
   Realism realism;
-  double mean_dn = 0;           ///< luminance, 0 to 255
-  double dark = 0, bright = 0;  ///< shares of pixels at 0 and at 255 in all colours
+  double mean_dn = 0;           ///< mean luminance, 0 to 255
+  double dark = 0, bright = 0;  ///< fractions of pixels that are 0 or 255 in all channels
 };
 
-/// A camera in two recordings: `a` is the reference.
+/// Comparison of a camera in two recordings. `a` is the reference.
 struct PictureComparison {
   SensorInBoth sensor;
-  std::optional<PictureSide> a, b;      ///< none without pairs of colour pictures
-  std::optional<double> difference_dn;  ///< mean |luminance of b - a|; none if sizes differ
-  std::vector<WorstFrame> worst;        ///< by that difference of one pair, in DN
+  std::optional<PictureSide> a, b;      ///< absent if there are no pairs of colour images
+  std::optional<double> difference_dn;  ///< mean |luminance of b - luminance of a|; absent if the
+                                        ///< sizes differ
+  std::vector<WorstFrame> worst;        ///< pairs with the largest mean difference, in DN
 };
 
-/// Compares the colour pictures of cameras that both machines have, by the figures of `tera
-/// realism`, exposure and the difference pixel by pixel. Throws InputError as RealismSums does.
+/// Compares the colour images of every camera that both machines have: the statistics of `tera
+/// realism`, exposure, and the difference per pixel. Throws InputError as RealismSums does.
 std::vector<PictureComparison> ComparePictures(const RecordedMachine& a, const RecordedMachine& b,
                                                std::size_t every);
 

@@ -10,22 +10,22 @@
 namespace tera {
 namespace {
 
-constexpr float kReach = 0.75F;  ///< of the spacing: between a half, the farthest of two patterns
-                                 ///< of different phase, and one, the next ray of the same pattern
-constexpr double kLoneSpacing_rad = 0.2 * kDeg;  ///< where a scan has one ray
-constexpr std::size_t kMostLooked = 1000;        ///< rays that tell the spacing
+constexpr float kReach = 0.75F;  ///< fraction of the ray spacing: more than 1/2, the largest offset
+                                 ///< of two patterns with different phase, and less than 1, the
+                                 ///< distance to the next ray
+constexpr double kLoneSpacing_rad = 0.2 * kDeg;  ///< assumed for a scan with a single ray
+constexpr std::size_t kMostLooked = 1000;  ///< number of rays from which the spacing is estimated
 
-/// Angle between returns of one pulse where nothing else tells, in radians.
+/// Largest angle between returns of one ray if times and rings do not identify rays, in rad.
 constexpr float kSameRay = 1e-4F;
 
-/// The rays of one scan.
 struct Rays {
   std::vector<std::size_t> first;           ///< indices of first returns
   std::vector<Eigen::Vector3f> directions;  ///< unit vectors
-  std::vector<Eigen::Vector3f> places;      ///< in the space of NearestPoints
+  std::vector<Eigen::Vector3f> places;      ///< positions in the search space of NearestPoints
 };
 
-/// Whether times and rings of its points tell the pulses of a scan apart. Drivers leave them out.
+/// True if times and rings of the points identify the rays of a scan. Some drivers omit them.
 bool TellsPulses(const LidarScan& scan) {
   const auto differs = [&](auto LidarPoint::*member) {
     return std::any_of(scan.points.begin(), scan.points.end(), [&](const LidarPoint& p) {
@@ -52,7 +52,7 @@ Rays RaysOf(const LidarScan& scan) {
   return rays;
 }
 
-/// Order of the beams of a scan.
+/// Numbering of the beams of a scan.
 struct BeamOrder {
   std::uint16_t last = 0;
   bool is_downward = false;
@@ -71,7 +71,8 @@ BeamOrder OrderOf(const LidarScan& scan, const Rays& rays) {
   return order;
 }
 
-/// Within a beam the azimuth on the unit circle; beams are one unit apart, or more than any reach.
+/// Search space for matching within beams: the azimuth on the unit circle, and the beam number as
+/// z. Beams are a distance of 1 apart, which exceeds every search radius.
 void PlaceByBeam(const LidarScan& scan, Rays* rays) {
   for (std::size_t k = 0; k < rays->first.size(); ++k) {
     const Eigen::Vector3f& d = rays->directions[k];
@@ -81,7 +82,7 @@ void PlaceByBeam(const LidarScan& scan, Rays* rays) {
   }
 }
 
-/// The median distance of a ray from its next one.
+/// Median distance from a ray to its nearest neighbour.
 float Spacing(const Rays& rays, const NearestPoints& nearest) {
   std::vector<float> spacings;
   const std::size_t step = 1 + rays.places.size() / kMostLooked;

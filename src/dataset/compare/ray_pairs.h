@@ -8,25 +8,26 @@
 
 namespace tera {
 
-/// First returns of two scans by ray, as indices into their points.
+/// Rays of two scans, matched. Indices refer to the first returns in the scans' points.
 struct RayPairs {
-  std::vector<std::pair<std::size_t, std::size_t>> both;  ///< a return in a and one in b
-  std::vector<std::size_t> only_a, only_b;                ///< no return in the other
+  std::vector<std::pair<std::size_t, std::size_t>> both;  ///< a return in both scans
+  std::vector<std::size_t> only_a, only_b;                ///< a return in one scan only
 };
 
-/// Indices of the first returns of a scan's rays. Points in sequence of one time and ring are of
-/// one ray; where a scan has no times or no rings, those of one direction.
+/// Indices of the first return of each ray of a scan. Consecutive points with equal time and ring
+/// belong to one ray. If a scan has no times or no rings, consecutive points with equal direction
+/// do.
 std::vector<std::size_t> FirstReturns(const LidarScan& scan);
 
-/// Pairs the rays of two scans by direction.
+/// Matches the rays of two scans by direction.
 ///
-/// Frames  the sensor's of each scan; the scans have one place and one attitude.
-/// Model   a ray of `a` has a return in `b` if a return of `b` left within three quarters of the
-///         spacing of rays: the median angle between a ray and its next one, of the coarser scan.
-///         With beams that both scans number alike (from the top down or from the bottom up), a ray
-///         is paired within its beam, by azimuth alone. Else it is paired by its direction from the
-///         sensor's origin.
-/// Omits   beams without numbers that leave beside the origin: 4 cm are half a degree at 5 m.
+/// Frames  The sensor frame of each scan. The sensors must have equal position and attitude.
+/// Model   A ray of `a` matches a ray of `b` if the angle between them is at most three quarters of
+///         the ray spacing. The spacing is the median angle between neighbouring rays of the
+///         coarser scan. If both scans number their beams in the same order, top to bottom or
+///         bottom to top, a ray is matched within its beam, by azimuth. Otherwise it is matched by
+///         its direction from the sensor origin.
+/// Omits   the offset of beam origins if beams are not numbered: 4 cm are half a degree at 5 m.
 RayPairs PairRays(const LidarScan& a, const LidarScan& b);
 
 }  // namespace tera

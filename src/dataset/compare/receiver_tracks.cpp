@@ -17,11 +17,12 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kOfOneSite_m = 100e3;  ///< between the origins of recordings of one site
+constexpr double kOfOneSite_m = 100e3;  ///< largest distance between origins of recordings at one
+                                        ///< site
 constexpr double kSamePlace_m =
-    0.01;  ///< antenna mounts this close are equal, at the accuracy of a tape measure
+    0.01;  ///< accuracy of a tape measure: antenna mounts closer than this are equal
 
-/// A receiver's fixes, and its mounting if known.
+/// Fixes of a receiver, and its mount if known.
 struct Antenna {
   std::string name, link;
   std::optional<Vec3> p_P_m;
@@ -34,7 +35,7 @@ SiteFrame::Geodetic OriginOf(const Recording& recording) {
   return {info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m};
 }
 
-/// A second, or some sample periods of a slow receiver.
+/// Longest gap for interpolation: a second, or some sample intervals of a slow receiver.
 TimeNs LongestGap(const Trajectory& fixes) {
   constexpr double kIntervals = 2.5;
   std::vector<TimeNs> intervals_ns;
@@ -73,7 +74,7 @@ std::vector<Antenna> LoadAntennas(const RecordedMachine& machine, const SiteFram
   return antennas;
 }
 
-/// An antenna of both recordings.
+/// An antenna that both recordings have.
 struct Shared {
   Antenna a, b;
 };
@@ -99,7 +100,7 @@ std::vector<Shared> MatchAntennas(std::vector<Antenna> a, std::vector<Antenna> b
   return shared;
 }
 
-/// The yaw of the link from two antennas of one recording.
+/// Yaw of the link from two antennas of one recording.
 class PairHeading {
  public:
   PairHeading(const Antenna& first, const Antenna& second, const AntennaPair& pair)
@@ -117,9 +118,9 @@ class PairHeading {
   AntennaPair pair_;
 };
 
-/// The yaw of one link in both recordings, from two antennas with known mounts in both.
+/// Yaw of one link in both recordings, from two antennas whose mounts both recordings know.
 struct LinkHeading {
-  std::string name;  ///< "gnss_left to gnss_right"
+  std::string name;  ///< such as "gnss_left to gnss_right"
   PairHeading a, b;
 };
 
@@ -151,8 +152,7 @@ std::optional<LinkHeading> HeadingOfLink(const std::string& link,
   return std::nullopt;
 }
 
-/// The fixes with a known heading, each shifted by a vector of the link. Fixes without a heading
-/// are left out.
+/// Fixes that have a heading, each moved by the vector `shift_P_m`, which is fixed in the link.
 Trajectory Headed(const Trajectory& fixes, const PairHeading& heading, const Vec3& shift_P_m) {
   Trajectory track;
   for (const TimedPose& fix : fixes) {

@@ -16,8 +16,9 @@
 namespace tera {
 namespace {
 
-constexpr double kBright = 1.0 / 255;     ///< least reflectivity of a ratio: one step of a unit
-constexpr std::int64_t kFewestRays = 20;  ///< of a reported class
+constexpr double kBright = 1.0 / 255;  ///< threshold for reflectivity ratios: one step of an 8-bit
+                                       ///< unit
+constexpr std::int64_t kFewestRays = 20;  ///< fewest rays of a class that is reported
 
 double RangeOf_m(const LidarPoint& p) {
   return std::hypot(static_cast<double>(p.x_m), static_cast<double>(p.y_m),
@@ -35,10 +36,10 @@ std::size_t RangeBin(double range_m) {
   return bin;
 }
 
-/// Sums over the points of one side.
+/// Sums over the points of one recording.
 class SideSums {
  public:
-  /// `rays` of a whole scan, 0 if unknown.
+  /// `rays` is the number of rays per scan, 0 if unknown.
   explicit SideSums(int rays) : rays_(rays) {}
 
   void Add(const LidarScan& scan) {
@@ -71,8 +72,11 @@ class SideSums {
   }
 
  private:
-  static constexpr double kStep = 1.0 / 2550;  ///< bins are centred on the steps of 8-bit units
-  static constexpr double kSigmaOfMedian = 1.4826;  ///< of a normal distribution
+  static constexpr double kStep = 1.0 / 2550;  ///< ten bins per step of an 8-bit unit, centred on
+                                               ///< the steps
+  static constexpr double kSigmaOfMedian = 1.4826;  ///< converts the median absolute deviation to a
+                                                    ///< standard deviation, for a normal
+                                                    ///< distribution
   static constexpr std::int64_t kFewestOnPlanes = 30;
   int rays_, scans_ = 0;
   std::int64_t first_returns_ = 0;
@@ -81,7 +85,7 @@ class SideSums {
   BinnedValues reflectivity_{-0.5 * kStep, 1, kStep};
 };
 
-/// Distances of many clouds.
+/// Sums of distances over all frames.
 struct DistanceSums {
   BinnedValues values{0, 20, 0.0001};
 
@@ -162,7 +166,7 @@ class ScanSums {
     }
   }
 
-  /// Points of real lidars have no class: all are 0, the sky, which returns nothing.
+  /// Class 0 is skipped: points of real lidars have no class, and the sky gives no return.
   static void AddClasses(const RaysOfClasses& classes, bool is_of_b, ScanComparison* told) {
     for (std::size_t c = 1; c < classes.size(); ++c) {
       if (classes[c].all < kFewestRays) continue;

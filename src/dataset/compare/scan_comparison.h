@@ -10,53 +10,58 @@
 
 namespace tera {
 
-/// Limits of the bins in which ranges are counted; the last bin has no upper limit.
+/// Lower limits of the range bins. The last bin has no upper limit.
 inline constexpr std::array<double, 10> kRangeLimits_m = {0, 1, 2, 5, 10, 20, 35, 50, 75, 100};
-/// Shares at which reflectivity is reported.
+/// Quantiles at which reflectivity is reported.
 inline constexpr std::array<double, 5> kReflectivityShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
-/// Points of a lidar in one recording.
+/// Statistics of a lidar's points in one recording.
 struct ScanSide {
   std::int64_t points = 0;
-  std::int64_t second_returns = 0;       ///< points behind the first return of their ray
-  std::optional<double> without_return;  ///< share of rays; none if sensor.yaml has no columns
-  /// Robust deviation of ranges on planes in each bin of kRangeLimits_m (DeviationsOnPlanes); none
-  /// where fewer than 30 points were judged.
+  std::int64_t second_returns = 0;  ///< number of points that are not the first return of their ray
+  std::optional<double> without_return;  ///< fraction of rays without a return; absent if
+                                         ///< sensor.yaml does not give the number of rays
+  /// Robust standard deviation of ranges on planar surfaces, per bin of kRangeLimits_m
+  /// (DeviationsOnPlanes). Absent for bins with fewer than 30 points.
   std::array<std::optional<double>, kRangeLimits_m.size()> plane_deviation_m{};
   std::array<double, kRangeLimits_m.size()> range_share{};
-  std::array<double, kReflectivityShares.size()> reflectivity{};  ///< quantiles
+  /// at the quantiles kReflectivityShares
+  std::array<double, kReflectivityShares.size()> reflectivity{};
 };
 
-/// Rays of one labelled class, and those of them without a return in the other recording.
+/// Rays of one class, and how many of them have no return in the other recording.
 struct ClassDropOut {
   std::string name;
-  bool is_of_b = true;  ///< which recording has the labels
+  bool is_of_b = true;  ///< the labels are those of recording b
   std::int64_t rays = 0, lost = 0;
 };
 
 struct DistanceFigures {
   std::int64_t count = 0;
-  double mean_m = 0, median_m = 0, most_m = 0;  ///< `most`: 95 % are nearer
+  double mean_m = 0, median_m = 0, most_m = 0;  ///< most_m is the 95 % quantile
 };
 
-/// A lidar in two recordings: `a` is the reference.
+/// Comparison of a lidar in two recordings. `a` is the reference.
 struct ScanComparison {
   SensorInBoth sensor;
   ScanSide a, b;
-  /// Rays that return in both, only in a, only in b (PairRays).
+  /// Number of rays with a return in both, only in a, and only in b (PairRays).
   std::int64_t rays_both = 0, rays_only_a = 0, rays_only_b = 0;
   std::vector<ClassDropOut> classes;
-  /// Range of b less that of a, over rays that return in both.
+  /// Range in b minus range in a, over rays with a return in both.
   double range_mean_m = 0, range_median_m = 0, range_rms_m = 0;
-  double reflectivity_ratio = 0;   ///< median of b over a, on rays that both see and a sees bright
-  DistanceFigures a_to_b, b_to_a;  ///< to the nearest point
-  DistanceFigures a_to_surface, b_to_surface;  ///< to the other's surface
-  double chamfer_m = 0;  ///< mean over frames of both mean distances to the nearest point, added
-  std::vector<WorstFrame> worst;  ///< by that distance
+  double reflectivity_ratio = 0;   ///< median of b / a, over rays with a return in both and a
+                                   ///< reflectivity above the threshold in a
+  DistanceFigures a_to_b, b_to_a;  ///< distances to the nearest point
+  DistanceFigures a_to_surface, b_to_surface;  ///< distances to the surface of the other scan
+  double chamfer_m = 0;  ///< mean over frames of the sum of both mean distances to the nearest
+                         ///< point
+  std::vector<WorstFrame> worst;  ///< frames with the largest Chamfer distance
 };
 
-/// Compares the scans of lidars that both machines have, in the sensor's frame, so that a place or
-/// attitude that differs shows as well. DistancesFrom and PairRays have the model.
+/// Compares the scans of every lidar that both machines have. Scans are compared in the sensor
+/// frame, so differences of position or attitude increase the distances. DistancesFrom and PairRays
+/// describe the model.
 std::vector<ScanComparison> CompareScans(const RecordedMachine& a, const RecordedMachine& b,
                                          std::size_t every);
 

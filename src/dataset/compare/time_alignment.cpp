@@ -13,7 +13,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The number before the first comma of a line.
+/// The number in front of the first comma.
 std::optional<TimeNs> StampOf(const std::string& line) {
   TimeNs t_ns = 0;
   const char* const end = line.data() + std::min(line.find(','), line.size());
@@ -21,7 +21,7 @@ std::optional<TimeNs> StampOf(const std::string& line) {
   return status == std::errc() && stop == end ? std::optional(t_ns) : std::nullopt;
 }
 
-/// From the first row after the header and the last complete row of a table.
+/// Times of the first and the last complete row of a table.
 std::optional<RecordedSpan> SpanOfTable(const fs::path& csv) {
   constexpr std::streamoff kLongestRow = 65'536;
   std::ifstream stream(csv, std::ios::binary);
@@ -38,7 +38,7 @@ std::optional<RecordedSpan> SpanOfTable(const fs::path& csv) {
   return RecordedSpan{*first_ns, *last_ns};
 }
 
-/// "3.25 s", "2.5 h", "4 days".
+/// Formats a duration: "3.25 s", "2.5 h", "4 days".
 std::string LengthText(TimeNs length_ns) {
   constexpr double kHour_s = 3600, kDay_s = 24 * kHour_s;
   const double s = std::abs(ToSeconds(length_ns));
@@ -46,7 +46,7 @@ std::string LengthText(TimeNs length_ns) {
   return s > kHour_s ? fmt::format("{:.1f} h", s / kHour_s) : fmt::format("{:.13g} s", s);
 }
 
-/// "by the epochs of both, of UTC; that of b is 3 s after that of a".
+/// Text such as "by the epochs of both, of UTC; that of b is 3 s after that of a".
 std::string EpochsText(const RecordingEpoch& a, const RecordingEpoch& b, TimeNs shift_ns) {
   const bool is_one_clock = a.clock == b.clock;
   const std::string clocks =
@@ -63,7 +63,7 @@ std::string EpochsText(const RecordingEpoch& a, const RecordingEpoch& b, TimeNs 
 
 std::string NameIn(const Recording& recording) { return recording.directory().string(); }
 
-/// The common span, in times of `one`.
+/// Common time span, in the time of `one`.
 std::optional<RecordedSpan> Overlap(const Recording& one, const Recording& other, TimeNs shift_ns) {
   const auto a = SpanOf(one), b = SpanOf(other);
   if (!a || !b) return std::nullopt;

@@ -8,31 +8,32 @@
 
 namespace tera {
 
-/// From the first to the last row or frame of a recording, in its own times.
+/// Time of the first and the last row or frame of a recording.
 struct RecordedSpan {
   TimeNs first_ns = 0, last_ns = 0;
 };
 
-/// Returns nothing if no channel has a row.
+/// Returns nullopt if no channel has a row.
 std::optional<RecordedSpan> SpanOf(const Recording& recording);
 
-/// Relation between the times of two recordings.
+/// Offset between the times of two recordings.
 struct TimeAlignment {
-  TimeNs shift_ns = 0;  ///< t of the one = t of the other + shift
+  TimeNs shift_ns = 0;  ///< time of `one` = time of `other` + shift
   bool by_epochs = false;
-  /// Basis of the alignment, or the reason why the recordings may not show the same event. Empty
-  /// for two simulations without an epoch, whose times start at zero.
+  /// Explains how times are aligned, or why the recordings may not show the same event. Empty for
+  /// two simulations without an epoch, whose times both start at 0.
   std::string told;
 };
 
-/// Aligns the times of `other` with those of `one`.
+/// Aligns the times of `other` to those of `one`.
 ///
-/// Model   by their epochs if both have one, unless the recordings then have no common time, as two
-///         drives on different days; else each from its own zero.
+/// Model   Epochs align the times if both recordings have an epoch and then overlap in time.
+///         Otherwise, for example for drives on different days, time 0 of one recording is aligned
+///         with time 0 of the other.
 TimeAlignment AlignTimes(const Recording& one, const Recording& other);
 
-/// The common time of two recordings, in times of `one`; nothing without a common time or with
-/// indeterminate epochs.
+/// Common time span in the time of `one`. Returns nullopt if there is none or if the epochs are
+/// indeterminate.
 std::optional<RecordedSpan> TimeInCommon(const Recording& one, const Recording& other);
 
 }  // namespace tera

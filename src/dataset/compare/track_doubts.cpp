@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Positions of both tracks at the times of `a` that lie within `b`.
+/// Positions of both tracks at those times of `a` that lie within `b`.
 struct CommonPlaces {
   Eigen::Matrix3Xd a_m, b_m;
 };
@@ -69,7 +69,7 @@ void DoubtUnits(const CommonPlaces& places, std::vector<std::string>* doubts) {
   }
 }
 
-/// The error of a track after a time shift.
+/// Errors of a track after a time shift, without alignment and with SE(2) alignment.
 struct ShiftedError {
   double none_m = 0, se2_m = 0;
   std::size_t count = 0;
@@ -142,7 +142,7 @@ std::vector<std::string> TrackDoubts(const Trajectory& a, const Trajectory& b, T
   const CommonPlaces places = PlacesInCommon(a, b, max_gap_ns);
   if (places.a_m.cols() < kLeastPlaces) return doubts;
   DoubtUnits(places, &doubts);
-  if (!doubts.empty()) return doubts;  // without a metric scale there are no distances
+  if (!doubts.empty()) return doubts;  // if the scale is not metric, distances are meaningless
   DoubtTimes(a, b, max_gap_ns, &doubts);
   DoubtFrames(places, &doubts);
   return doubts;

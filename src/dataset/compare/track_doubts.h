@@ -7,13 +7,14 @@
 
 namespace tera {
 
-/// Sentences on causes, other than the measurement, of a difference between two tracks of one body.
-/// `b` may have the size of `a` in another unit. Its times may differ as GPS time, UTC and TAI do.
-/// Its coordinates may be those of a map.
+/// Tests whether two tracks of one body differ by a convention instead of the measurement. `b` may
+/// use another unit of length, another time scale (GPS time, UTC, TAI) or map coordinates. Returns
+/// a sentence for each suspected cause.
 ///
-/// Model   units: the scale of Umeyama's similarity, if the residual is below a twentieth of a's
-///         size. Times: a shift between GPS time, UTC and TAI that leaves less than a third of the
-///         unshifted error, and less error than shifts one second longer or shorter.
+/// Model   Unit: the scale of Umeyama's similarity, if its residual is below a twentieth of the
+///         size of a. Time scale: a shift between GPS time, UTC and TAI, if it reduces the error to
+///         less than a third. Shifts that are one second longer or shorter must leave a larger
+///         error.
 std::vector<std::string> TrackDoubts(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns);
 
 }  // namespace tera

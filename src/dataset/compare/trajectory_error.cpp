@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMinPairs = 3;
 
-/// A time of the reference with both poses.
+/// Both poses at a time of the reference.
 struct Pair {
   TimeNs t_ns;
   Pose a, b;
@@ -30,7 +30,7 @@ std::vector<Pair> Associate(const Trajectory& a, const Trajectory& b, TimeNs max
   return pairs;
 }
 
-/// Least-squares rigid motion of b's positions onto a's.
+/// Least-squares rigid motion from the positions of b to those of a.
 Pose FitSe3(const std::vector<Pair>& pairs) {
   Eigen::Matrix3Xd from(3, pairs.size()), to(3, pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -42,9 +42,8 @@ Pose FitSe3(const std::vector<Pair>& pairs) {
   return X_WV;
 }
 
-/// Least-squares motion of b's positions onto a's in the horizontal plane, in closed form. The
-/// yaw's tangent is the sum of cross products over the sum of dot products of the centred
-/// positions. Heights stay.
+/// Least-squares motion in the horizontal plane, in closed form: tan(yaw) is the sum of cross
+/// products divided by the sum of dot products of the centred positions. Heights do not change.
 Pose FitSe2(const std::vector<Pair>& pairs) {
   const auto n = static_cast<double>(pairs.size());
   Vec2 centre_a = Vec2::Zero(), centre_b = Vec2::Zero();
@@ -77,7 +76,7 @@ Pose Align(const std::vector<Pair>& pairs, Alignment alignment) {
   return Pose::Identity();
 }
 
-/// Angle of a rotation, exact near zero, unlike the trace formula.
+/// Angle of a rotation. Unlike the trace formula, it is exact near zero.
 double Angle(const Pose& E) {
   const Quat q(E.linear());
   return 2.0 * std::atan2(q.vec().norm(), std::abs(q.w()));
@@ -97,7 +96,7 @@ Pose RelativeError(const Pair& from, const Pair& to) {
   return (from.a.inverse() * to.a).inverse() * (from.b.inverse() * to.b);
 }
 
-/// One sample for each pair with another pair later by `interval_ns` to one and a half times that.
+/// One sample for each pair that is followed by another pair after 1 to 1.5 times `interval_ns`.
 std::vector<PoseErrorSample> Relative(const std::vector<Pair>& pairs, TimeNs interval_ns) {
   std::vector<PoseErrorSample> samples;
   std::size_t to = 0;

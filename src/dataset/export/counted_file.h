@@ -7,14 +7,14 @@
 
 namespace tera {
 
-/// A large file whose header states the length of the rest. The rest is written first to a
-/// temporary file and joined to the header at the end.
+/// A large file whose header contains the length of the data after it. The data is collected in a
+/// temporary file and appended to the header at the end.
 class CountedFile {
  public:
   explicit CountedFile(const std::filesystem::path& path);
 
   void Append(std::string_view bytes) { rest_.Append(bytes); }
-  /// Writes the file.
+  /// Writes the header and the data.
   void Commit(std::string_view header);
 
  private:

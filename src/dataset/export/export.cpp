@@ -57,7 +57,7 @@ WriteFormat WriterOf(ExportFormat format) {
   return nullptr;
 }
 
-/// Refuses to overwrite files, and to write a recording into itself.
+/// Throws InputError if `out` exists or lies inside the recording.
 void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   const fs::path name = out.has_filename() ? out.filename() : out.parent_path().filename();
   if (name.empty() || name == "." || name == "..") {
@@ -80,7 +80,8 @@ void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   }
 }
 
-/// Paths become file names and topic names. None may lead out of the recording or occur twice.
+/// Channel paths become names of files and topics. A path must not leave the recording's folder or
+/// occur twice.
 void RequirePlainPaths(const Recording& recording) {
   std::set<std::string> seen;
   for (const ChannelDescription& channel : recording.channels()) {
@@ -101,7 +102,8 @@ void RequirePlainPaths(const Recording& recording) {
   }
 }
 
-/// Writes the format. After a fault it keeps the files that `resume` can continue from.
+/// Writes all files of the format. After a failure, keeps the files from which `resume` can
+/// continue.
 void WriteFrames(ExportJob* job, WholeFolder* folder) {
   FrameLog whole(job->folder);
   job->whole_frames = &whole;

@@ -38,7 +38,7 @@ enum class ExportFormat {
 
 struct ExportFormatName {
   ExportFormat format;
-  std::string_view name;  ///< on the command line
+  std::string_view name;  ///< name on the command line
 };
 
 /// All formats in order of value.
@@ -59,19 +59,19 @@ inline constexpr std::array<ExportFormatName, 15> kExportFormats = {
      {ExportFormat::kNuscenes, "nuscenes"},
      {ExportFormat::kPcap, "pcap"}}};
 
-/// Whether a format is a bag of ROS messages. Only bags use `images`; ROS 2 bags also use `storage`
-/// and `compression`.
+/// True for bags of ROS messages. The option `images` applies to bags only; `storage` and
+/// `compression` apply to ROS 2 bags only.
 constexpr bool IsBag(ExportFormat format) {
   return format == ExportFormat::kRosbag2 || format == ExportFormat::kBag;
 }
-/// Whether a stopped export of a format resumes from its complete frames. Other formats start
-/// again.
+/// True for a format that resumes a stopped export after its last complete frames. Other formats
+/// start again.
 constexpr bool GoesOnByFrames(ExportFormat format) {
   return format == ExportFormat::kKitti || format == ExportFormat::kSemanticKitti ||
          format == ExportFormat::kCoco || format == ExportFormat::kNuscenes ||
          format == ExportFormat::kWebdataset;
 }
-/// Whether a format has one lidar, and also one camera.
+/// True for a format that exports a single lidar, or a single lidar and camera.
 constexpr bool IsOfOneCamera(ExportFormat format) { return format == ExportFormat::kKitti; }
 constexpr bool IsOfOneLidar(ExportFormat format) {
   return IsOfOneCamera(format) || format == ExportFormat::kSemanticKitti;
@@ -87,12 +87,12 @@ constexpr bool UsesJointTrees(ExportFormat format) {
          format == ExportFormat::kLas;
 }
 
-/// The benchmarks of KITTI, each in its own folder.
+/// Benchmarks of KITTI. Each has its own folder.
 enum class KittiLayout { kRaw, kObject, kTracking, kOdometry, kDepth };
 
 struct KittiLayoutName {
   KittiLayout layout;
-  std::string_view name;  ///< on the command line
+  std::string_view name;  ///< name on the command line
 };
 inline constexpr std::array<KittiLayoutName, 5> kKittiLayouts = {
     {{KittiLayout::kRaw, "raw"},
@@ -101,17 +101,17 @@ inline constexpr std::array<KittiLayoutName, 5> kKittiLayouts = {
      {KittiLayout::kOdometry, "odometry"},
      {KittiLayout::kDepth, "depth"}}};
 
-/// nuScenes' key frame rate.
+/// Key frame rate of the original nuScenes.
 inline constexpr double kDefaultKeyFrames_hz = 2;
 
-/// Small enough for fast reads from any storage, and for several in a computer's memory.
+/// Small enough to read quickly from any storage and to keep several archives in memory.
 inline constexpr std::int64_t kDefaultShardBytes = 256'000'000;
 
 enum class BagStorage { kMcap, kSqlite3 };
-/// Pictures as pixels, or as the recording's PNG files.
+/// Content of image messages: raw pixels, or the PNG files of the recording.
 enum class BagImages { kRaw, kCompressed };
 
-/// Pictures that a recording names but lacks.
+/// Images that a recording lists but lacks.
 struct AbsentPictures {
   std::int64_t count = 0;
   std::filesystem::path first;
@@ -128,29 +128,30 @@ struct ExportProgress {
 
 struct ExportOptions {
   ExportFormat format = ExportFormat::kTum;
-  /// Resume a stopped export with these options. After a fault, keep the files that can be resumed.
+  /// Resume a stopped export with equal options. After a failure, keep files that can be resumed.
   bool resume = false;
-  int threads = 2;  ///< for reading, decoding and encoding; they change no byte
-  /// UTC of the recording's time 0, in ns since 1970. Without it, times stay unchanged, except in
-  /// formats that need a date: these use the recording's epoch, or kDefaultStart_ns without one.
+  int threads = 2;  ///< threads to read, decode and encode; the result does not depend on them
+  /// UTC of the recording's time 0, in ns since 1970. If absent, times are exported unchanged. A
+  /// format that needs a date then uses the epoch of the recording, or else kDefaultStart_ns.
   std::optional<TimeNs> start_utc_ns;
   BagStorage storage = BagStorage::kMcap;
-  BagCompression compression = BagCompression::kZstd;  ///< compression of MCAP's chunks
+  BagCompression compression = BagCompression::kZstd;  ///< compression of MCAP chunks
   BagImages images = BagImages::kRaw;
   std::vector<KittiLayout> kitti_layouts;         ///< empty: all
   std::string camera, lidar;                      ///< paths; empty: the first, or all of `pcap`
   double key_frames_hz = kDefaultKeyFrames_hz;    ///< rate of fully annotated frames in nuScenes
-  std::int64_t shard_bytes = kDefaultShardBytes;  ///< approximate archive size in WebDataset
-  std::filesystem::path card;  ///< publisher's facts for the WebDataset card; empty: no card
-  /// Returns the joint trees of the recording's machines. A machine without one has only the pose
-  /// of its root.
+  std::int64_t shard_bytes = kDefaultShardBytes;  ///< approximate size of a WebDataset archive
+  std::filesystem::path card;  ///< file with the publisher's facts for the WebDataset card; empty:
+                               ///< no card
+  /// Returns the joint trees of the machines. For a machine without a tree, only its root pose is
+  /// exported.
   std::function<std::vector<JointTree>()> joint_trees;
-  /// Reads the ground's rasters. Without it they are left out.
+  /// Reads ground rasters. If not set, the export omits them.
   ReadGround read_ground;
   std::function<void(const ExportProgress&)> progress;
 };
 
-/// 2024-01-01 00:00:00 UTC: the default date of recordings.
+/// 2024-01-01 00:00:00 UTC, the date of a recording without an epoch.
 inline constexpr TimeNs kDefaultStart_ns = 1'704'067'200 * kNsPerSecond;
 
 }  // namespace tera

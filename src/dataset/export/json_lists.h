@@ -10,17 +10,16 @@ namespace tera {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Streams a JSON object with lists that are larger than memory, one list after another, entry by
-/// entry.
+/// Writes a JSON object whose lists may exceed the memory: one list after another, entry by entry.
 class JsonLists {
  public:
   explicit JsonLists(const std::filesystem::path& path);
 
-  /// Adds a member other than a long list.
+  /// Adds a member that fits into memory.
   void Put(const std::string& name, const OrderedJson& value);
-  /// Ends the current list, if any.
+  /// Starts a list. Ends the open list first, if there is one.
   void BeginList(const std::string& name);
-  /// Adds to the current list.
+  /// Appends an entry to the open list.
   void Add(const OrderedJson& entry);
   void Commit();
 

@@ -8,18 +8,19 @@
 
 namespace tera {
 
-/// A joint between a machine's root and a link, and its column in a table of positions.
+/// A joint on the path from a machine's root to a link, with its column in a table of joint
+/// positions.
 struct PathStep {
   JointTree::Joint joint;
-  std::size_t column = 0;  ///< index, for a movable joint
+  std::size_t column = 0;  ///< column index; only for a movable joint
 };
 
-/// The joints from the root to a link. If there is no path, or the table lacks a joint's position,
-/// `lacks` names the missing item.
+/// Joints from the root to a link, in order. If the tree has no such link or the table lacks a
+/// position, `lacks` receives the name of the missing item.
 std::vector<PathStep> PathToLink(const std::string& link, const JointTree& tree,
                                  const std::vector<std::string>& columns, std::string* lacks);
 
-/// The link L in the root link R, from a row of the table.
+/// Pose of the link L in the root link R, with joint positions from a row of the table.
 Pose X_RL(const std::vector<PathStep>& path, const Record& row);
 
 }  // namespace tera

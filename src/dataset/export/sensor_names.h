@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// "machine_sensor" for "machine/sensor", for file names.
+/// Name of a sensor for files: "machine/sensor" becomes "machine_sensor".
 std::string FlatName(std::string sensor);
 
-/// Throws InputError if two sensors have the same FlatName.
+/// Throws InputError if two sensors have equal FlatNames.
 void RequireFlatNamesApart(const std::vector<std::string>& sensors);
 
 }  // namespace tera

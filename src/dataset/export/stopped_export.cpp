@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kKeyFile = "INCOMPLETE.export";
 
-/// The length of a channel's table; 0 without one.
+/// Size of a channel's table in bytes; 0 if it has none.
 std::uintmax_t RowBytes(const fs::path& channel) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(channel, ignored) ? channel / "data.csv" : channel;

@@ -10,21 +10,21 @@ namespace tera {
 
 class WholeFolder;
 
-/// Identifies an export, one property per line: version of the program, options, digest of
-/// dataset.yaml and length of each channel's table. It detects other recordings and other options,
-/// but not changed pictures, or tables changed without a change of length.
+/// Text that identifies an export, with one property per line: program version, options, digest of
+/// dataset.yaml, and the length of each channel's table. It detects other recordings and options.
+/// It does not detect changed images, or table changes that keep the length.
 std::string ExportKey(const Recording& recording, const ExportOptions& options);
 
-/// Prepares the folder of an export, which a stopped export may have begun, and writes
-/// INCOMPLETE.export with the key. A format that resumes by frames keeps complete files; other
-/// formats keep none. Throws InputError, and changes nothing, if the folder belongs to another
-/// export or to none.
+/// Prepares the output folder and writes INCOMPLETE.export with the key. If a stopped export left
+/// files, a format that can resume keeps complete frames; other formats delete everything. Throws
+/// InputError, without changing anything, if the files belong to another export or to no export.
 void BeginExport(const std::string& key, ExportFormat format, WholeFolder* folder);
 
-/// Removes INCOMPLETE.export from a finished folder.
+/// Deletes INCOMPLETE.export from the complete folder.
 void EndExport(const std::filesystem::path& folder);
 
-/// Refuses a place with a stopped export next to it, and says how to resume it.
+/// Throws InputError if a stopped export left files for `out`. The message tells the user to
+/// resume.
 void RequireNoStoppedExport(const std::filesystem::path& out);
 
 }  // namespace tera

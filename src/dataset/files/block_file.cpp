@@ -17,9 +17,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
 constexpr std::string_view kMagic = "TERA blocks 1\n";
-constexpr int kLevel = 6;                              ///< zstd level; higher ones gain little
-constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a longer stream has a damaged length
-/// Limit of a zstd frame's expansion: blocks of 128 KiB take at least 4 bytes.
+constexpr int kLevel = 6;  ///< zstd level; higher levels save little space
+constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a greater length is a sign of damage
+/// Largest expansion of a zstd frame: a block of 128 KiB takes at least 4 bytes.
 constexpr std::uint64_t kMostOfAByte_bytes = 1u << 15;
 
 [[noreturn]] void FailReading(const std::filesystem::path& path, int error_number) {

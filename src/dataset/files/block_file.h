@@ -12,24 +12,24 @@
 
 namespace tera {
 
-/// A block: byte streams that are compressed separately, since each has its own statistics.
+/// Byte streams that are compressed separately, because their statistics differ.
 using Block = std::vector<std::string>;
 
-/// Writes a file of compressed blocks after a header.
+/// Writes a file with a header and compressed blocks.
 ///
-/// Model   "TERA blocks 1\n", the header, then the blocks, then an end. Numbers are 32 bit,
-///         little-endian. A length precedes the header; a stream count precedes each block; a
-///         compressed length precedes each stream; a count of 0 is the end. A stream is a zstd
-///         frame with its length and its checksum.
+/// Model   The file is "TERA blocks 1\n", the header, the blocks and an end mark. Numbers have 32
+///         bits, low byte first. The header follows its length. A block is a stream count and its
+///         streams; a count of 0 is the end mark. A stream is its compressed length and a zstd
+///         frame, which contains the uncompressed length and a checksum.
 /// Source  RFC 8878 (Zstandard), by libzstd.
 class BlockFileWriter {
  public:
-  /// Throws InputError if the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, like every other function of the class.
   BlockFileWriter(const std::filesystem::path& path, std::string_view header);
 
-  /// The block needs at least one stream.
+  /// Appends a block with at least one stream.
   void Append(const Block& block);
-  /// Writes the end; the file appears under its name.
+  /// Writes the end mark and gives the file its final name.
   void Commit();
   std::int64_t bytes() const { return file_.bytes(); }
 
@@ -37,14 +37,14 @@ class BlockFileWriter {
   CheckedFile file_;
 };
 
-/// Reads a file of BlockFileWriter, block by block. Throws InputError if the file has another
-/// format, is damaged, or does not stop at its end mark.
+/// Reads the blocks of a file written by BlockFileWriter. Throws InputError if the file has another
+/// format, is damaged, or does not end at its end mark.
 class BlockFileReader {
  public:
   explicit BlockFileReader(const std::filesystem::path& path);
 
   const std::string& header() const { return header_; }
-  /// Returns nothing at the end.
+  /// The next block; nullopt at the end.
   std::optional<Block> Next();
 
  private:
@@ -53,7 +53,7 @@ class BlockFileReader {
   [[noreturn]] void Fail(std::string_view finding) const;
 
   std::filesystem::path path_;
-  std::uint64_t left_ = 0;  ///< unread bytes of the file
+  std::uint64_t left_ = 0;  ///< bytes of the file not yet read
   bool at_end_ = false;
   std::ifstream stream_;
   std::string header_;

@@ -101,7 +101,7 @@ void CheckedFile::Leave() {
   try {
     Flush();
   } catch (const InputError&) {
-    // The disk's failure is already reported.
+    // The failure of the disk has already been reported.
   }
 }
 
@@ -138,7 +138,7 @@ void MakeFolder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   const std::string doing = "folder cannot be created";
-  // Missing parents are created too, so ENOENT means that no folder can be created there.
+  // Parents are created too, so ENOENT means that the path does not allow folders.
   if (error.value() == ENOENT) Fail(path, doing, ENOENT, Remedy(EACCES));
   if (error) FailFile(path, doing, error.value());
 }

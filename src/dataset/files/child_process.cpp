@@ -11,14 +11,14 @@
 namespace tera {
 namespace {
 
-constexpr int kNotFoundStatus = 127;  // as in a shell
+constexpr int kNotFoundStatus = 127;  // exit status of a shell
 
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& program, const std::string& arguments,
                            const std::string& remedy)
     : program_(program), remedy_(remedy) {
-  // Otherwise a write to an ended program would end this one too.
+  // Without this, a write to a program that has ended would kill this process.
   old_handler_ = std::signal(SIGPIPE, SIG_IGN);
   const std::string command = fmt::format("command -v {0} >/dev/null || exit {1}; exec {0} {2}",
                                           program, kNotFoundStatus, arguments);

@@ -6,19 +6,19 @@
 
 namespace tera {
 
-/// Another program that reads this one's output: gnuplot, ffmpeg.
+/// Another program that reads data from this process, such as gnuplot or ffmpeg.
 class ChildProcess {
  public:
-  /// Starts `program` with `arguments`, split as in a shell. `remedy` ends the messages: the
-  /// package of the program.
+  /// Starts `program`. `arguments` is split as in a shell. `remedy` ends error messages, for
+  /// example with the package to install.
   ChildProcess(const std::string& program, const std::string& arguments, const std::string& remedy);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// Does nothing after the program's early end, which Close reports.
+  /// Has no effect if the program has already ended; Close then reports its failure.
   void Write(std::string_view bytes);
-  /// Waits for the end. Throws InputError if the program is not installed or reports a failure.
+  /// Waits until the program ends. Throws InputError if it is not installed or fails.
   void Close();
 
  private:
@@ -27,7 +27,7 @@ class ChildProcess {
   void (*old_handler_)(int) = nullptr;
 };
 
-/// `text` as one word of a shell command.
+/// Quotes `text` as one word of a shell command.
 std::string ShellWord(const std::string& text);
 
 }  // namespace tera

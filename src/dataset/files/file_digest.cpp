@@ -20,7 +20,7 @@ class Sha256 {
   void Add(const char* bytes, std::size_t count) {
     TERA_CHECK(EVP_DigestUpdate(hash_.get(), bytes, count) == 1, count);
   }
-  /// The digest in hexadecimal digits. No call may follow.
+  /// Returns the digest as hexadecimal digits. No other call may follow.
   std::string Finish() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> sum;
     unsigned int size = 0;

@@ -12,11 +12,11 @@ struct FileDigest {
   std::string sha256;  ///< 64 hexadecimal digits
 };
 
-/// Throws InputError if the file cannot be read.
+/// Size and SHA-256 of a file. Throws InputError if the file cannot be read.
 ///
 /// Source  FIPS 180-4, by OpenSSL.
 FileDigest DigestOf(const std::filesystem::path& file);
-/// SHA-256 of these bytes, in the format of FileDigest.
+/// SHA-256 of the bytes as 64 hexadecimal digits.
 std::string Sha256Of(std::string_view bytes);
 
 }  // namespace tera

@@ -20,7 +20,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
                       fmt::format("cannot be opened: {}", std::generic_category().message(errno))});
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  // Some network file systems have no locks; there the user must avoid conflicts.
+  // Some network file systems do not support locks. There the user must prevent concurrent writers.
   if (errno != EWOULDBLOCK) return;
   close(descriptor_);
   throw InputError(folder.string(),

@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// Locks a folder for one writer during its lifetime; a killed process releases it. Throws
-/// InputError if another process holds it.
+/// Locks a folder against other writers for the lifetime of the object. The system releases the
+/// lock of a killed process. Throws InputError if another process holds the lock.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

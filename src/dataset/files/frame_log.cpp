@@ -46,7 +46,7 @@ FrameLog::~FrameLog() {
 void FrameLog::Load(const fs::path& root) {
   std::string text = ReadWholeFile(path_);
   text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
-  WriteWholeFile(path_, text);  // drops an incomplete last line of a killed run
+  WriteWholeFile(path_, text);  // drops the incomplete last line of a killed run
   std::stringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
     const std::vector<std::string> fields = Split(line);
@@ -69,7 +69,8 @@ void FrameLog::Append(const std::string& folder, TimeNs t_ns, const std::vector<
     line += fmt::format("{}{}{}{}", kSeparator, file.bytes, kSeparator, file.name);
   }
   line += '\n';
-  // A single write to a file opened for appending, so lines of several threads do not mix.
+  // A line is a single write to a file opened for appending, so lines of different threads do not
+  // mix.
   const ssize_t count = ::write(descriptor_, line.data(), line.size());
   if (count != static_cast<ssize_t>(line.size())) {
     FailFile(path_, "cannot be written", count < 0 ? errno : ENOSPC);

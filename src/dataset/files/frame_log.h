@@ -10,12 +10,12 @@
 
 namespace tera {
 
-/// Log of complete frames, from which a killed run can resume.
+/// Log of complete frames, from which a stopped run resumes.
 ///
-/// Model   one text line for each complete frame, appended when its last file has its name: channel
-///         folder, t_ns, then size and name of each file. A line counts if it ends in a newline and
-///         every file has that size. The log exists only in the incomplete directory. Append is
-///         thread-safe.
+/// Model   One text line per frame: channel folder, t_ns, and size and name of each file. The line
+///         is appended after the last file of the frame has its final name. A line is valid if it
+///         ends in a newline and each file has the logged size. The log exists only in the
+///         incomplete directory. Append is thread-safe.
 class FrameLog {
  public:
   struct File {
@@ -23,16 +23,15 @@ class FrameLog {
     std::int64_t bytes = 0;
   };
 
-  /// Reads the log of an earlier run in `root`, if there is one, and continues it.
+  /// Opens the log in `root` for appending. Frames logged by an earlier run are read.
   explicit FrameLog(const std::filesystem::path& root);
   FrameLog(const FrameLog&) = delete;
   FrameLog& operator=(const FrameLog&) = delete;
   ~FrameLog();
 
-  /// Whether the frame was complete when this log was opened.
+  /// True if the frame was complete when this log was opened.
   bool WasWhole(const std::string& folder, TimeNs t_ns) const;
   void Append(const std::string& folder, TimeNs t_ns, const std::vector<File>& files);
-  /// Closes and deletes the log.
   void Remove();
 
  private:

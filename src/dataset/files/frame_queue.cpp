@@ -11,7 +11,7 @@ FrameQueue::FrameQueue(int threads, int capacity) : capacity_(static_cast<std::s
   try {
     for (int i = 0; i < threads; ++i) workers_.emplace_back([this] { Work(); });
   } catch (const std::system_error&) {
-    // Without more threads from the system, the existing ones or the caller's do the work.
+    // The system provides no more threads. The existing threads, or the caller's, run the jobs.
   }
 }
 

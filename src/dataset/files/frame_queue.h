@@ -12,20 +12,19 @@ namespace tera {
 
 /// Worker threads with a bounded queue of jobs.
 ///
-/// Model   jobs start in order and may end in any order; Push blocks while `capacity` jobs wait.
-///         The first exception of a job is kept, later jobs are dropped, and the next Push or Drain
-///         throws it on the caller's thread. If the system gives fewer threads, these do the work;
-///         without any, Push does.
+/// Model   Jobs start in order and may end in any order. Push blocks while `capacity` jobs wait.
+///         After a job throws, the remaining jobs are dropped; the next Push or Drain throws the
+///         exception on the calling thread. If the system provides fewer threads, the queue uses
+///         fewer; without any thread, Push runs the job itself.
 class FrameQueue {
  public:
   FrameQueue(int threads, int capacity);
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
-  /// Drops the jobs that have not started and waits for the others.
+  /// Drops jobs that have not started and waits for running jobs.
   ~FrameQueue();
 
   void Push(std::function<void()> job);
-  /// Waits until every job has ended.
   void Drain();
 
  private:

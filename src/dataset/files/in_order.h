@@ -12,12 +12,13 @@
 
 namespace tera {
 
-/// Runs work in parallel and delivers the results in the order of submission.
+/// Runs jobs in parallel and delivers their results in the order of submission.
 ///
-/// Model   `threads` threads do the work; the caller's thread takes the results, within its calls.
-///         Results, their order, and the exception thrown by the work are thus independent of the
-///         number of threads. An exception of the caller may precede those of pending work. Give
-///         waits while more than kPerThread pieces per thread are pending, which bounds the memory.
+/// Model   `threads` worker threads run the jobs. The calling thread passes results to `take`
+///         during its calls of Give and Finish. The results, their order and the exception of a
+///         failed job thus do not depend on the number of threads. An exception of the calling
+///         thread may overtake pending jobs. Give blocks while kPerThread jobs per thread are
+///         pending, which bounds the memory.
 template <typename Result>
 class InOrder {
  public:
@@ -28,8 +29,8 @@ class InOrder {
         take_(std::move(take)),
         queue_(threads, kPerThread * threads) {}
 
-  /// Starts `work`, and takes finished results that are next. An exception of the work is thrown in
-  /// place of its result; no call may follow it.
+  /// Starts `work` and delivers results that are ready. If a job threw, its exception is thrown in
+  /// place of its result; no call may follow.
   void Give(std::function<Result()> work) {
     auto task = std::make_shared<std::packaged_task<Result()>>(std::move(work));
     pending_.push_back({std::nullopt, task->get_future()});
@@ -37,19 +38,19 @@ class InOrder {
     queue_.Push([task] { (*task)(); });
     TakeDone();
   }
-  /// Adds a result without work, after all submitted work.
+  /// Appends a finished result after all submitted jobs.
   void GiveResult(Result result) {
     pending_.push_back({std::move(result), {}});
     TakeDone();
   }
-  /// Waits for all submitted work.
+  /// Waits for all jobs and delivers their results.
   void Finish() {
     while (!pending_.empty()) TakeFirst();
   }
 
  private:
   struct Piece {
-    std::optional<Result> result;  ///< set for results without work
+    std::optional<Result> result;  ///< set for a result given without a job
     std::future<Result> work;
   };
 
@@ -71,8 +72,8 @@ class InOrder {
   const int most_;
   std::function<void(Result)> take_;
   std::deque<Piece> pending_;
-  int working_ = 0;   ///< number of pending results with work
-  FrameQueue queue_;  ///< last, so that all work ends before the other members are destroyed
+  int working_ = 0;   ///< number of pending results that have a job
+  FrameQueue queue_;  ///< the last member: its threads must end before other members are destroyed
 };
 
 }  // namespace tera

@@ -7,34 +7,35 @@ namespace tera {
 
 class FolderLock;
 
-/// Path of an unfinished recording or another folder, without a trailing slash.
+/// Path of the unfinished folder: `<directory>.incomplete`, without a trailing slash.
 std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 
-/// A folder that is written to `<folder>.incomplete` and renamed when complete. Folders that cannot
-/// be resumed, such as reports, are removed if not completed.
+/// A result folder that is written as `<folder>.incomplete` and renamed when complete. A folder
+/// that cannot be resumed, such as a report, is deleted if it is not completed.
 class WholeFolder {
  public:
-  /// Policy for files of a stopped run.
+  /// Treatment of files that a stopped run left.
   enum class Left {
     kIsRefused,
-    kIsKept  ///< kept for resumption, also without Commit
+    kIsKept  ///< kept, to resume the run; the folder also stays if it is not completed
   };
 
-  /// Creates the temporary folder with its parents. Throws InputError if it cannot be created, if
-  /// another run writes it, or if it holds refused files of a stopped run.
+  /// Creates the temporary folder and its parents. Throws InputError if that fails, if another
+  /// process writes the folder, or if a stopped run left files and `left` refuses them.
   explicit WholeFolder(const std::filesystem::path& folder, Left left = Left::kIsRefused);
-  /// Removes the temporary folder unless Commit or Keep was called.
+  /// Deletes the temporary folder unless Commit or Keep was called.
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
 
-  /// Path to write to before Commit.
+  /// Folder to write into until Commit.
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Removes the contents. Without Commit or Keep, later contents are removed too.
+  /// Deletes the content. The folder is then deleted by the destructor unless Commit or Keep
+  /// follows.
   void Clear();
-  /// Keeps the contents, also without Commit.
+  /// The destructor keeps the content even without Commit.
   void Keep() { kept_ = true; }
-  /// Renames the folder. Throws InputError.
+  /// Renames the folder to its final name. Throws InputError on failure.
   void Commit();
 
  private:
@@ -43,15 +44,15 @@ class WholeFolder {
   bool committed_ = false, kept_ = false;
 };
 
-/// Throws InputError if a stopped run has left files next to the folder.
+/// Throws InputError if a stopped run left an incomplete folder for `folder`.
 void RequireNoneStopped(const std::filesystem::path& folder);
 
-/// Whether there is a file, or a folder that is not empty.
+/// True for a file or a folder that is not empty.
 bool HoldsSomething(const std::filesystem::path& path);
-/// Throws InputError if HoldsSomething: the path is about to be written.
+/// Throws InputError if the path already holds a file or a non-empty folder.
 void RequireNothingAt(const std::filesystem::path& path);
 
-/// Renames a folder. Throws InputError.
+/// Renames a folder. Throws InputError on failure.
 void GiveName(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace tera

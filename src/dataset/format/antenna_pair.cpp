@@ -8,7 +8,8 @@
 namespace tera {
 namespace {
 
-/// A shorter horizontal baseline gives no direction, since receivers measure to some centimetres.
+/// Receivers measure to some centimetres, so a shorter horizontal baseline gives no useful
+/// direction.
 constexpr double kShortestBaseline_m = 0.2;
 
 }  // namespace

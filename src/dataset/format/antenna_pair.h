@@ -9,26 +9,27 @@
 
 namespace tera {
 
-/// Two receivers of a machine, whose antennas give its heading.
+/// Two GNSS antennas of a machine, which together measure its heading.
 ///
-/// Frames  W east, north, up; P the link that carries both, x forward, y left, z up.
-/// Model   the horizontal direction of the measured baseline minus that of the mounted one: heading
-///         = 90 deg - (yaw of p_W,21 - yaw of p_P,21), clockwise from north.
-/// Omits   roll and pitch of P, which turn the baseline's horizontal direction by a product of the
-///         baseline's slope and the tilt.
+/// Frames  W east, north, up; P the link that carries both antennas: x forward, y left, z up.
+/// Model   p_21 is the baseline from the first to the second antenna. heading = 90 deg - (yaw of
+///         p_W,21 - yaw of p_P,21), clockwise from north.
+/// Omits   roll and pitch of P. They change the baseline's yaw by the product of its slope and the
+///         tilt.
 class AntennaPair {
  public:
-  /// The pair among a machine's receivers: exactly two on one link, with known mounts and a
-  /// horizontal baseline. Otherwise nothing.
+  /// Finds the pair among the receivers of a machine. Returns nullopt unless exactly two receivers
+  /// are on one link, their mounts are known, and their baseline has a horizontal component.
   static std::optional<AntennaPair> Of(const Recording& recording,
                                        const std::vector<std::string>& receivers);
 
-  /// The pair of antennas at these positions in P; nothing without a horizontal baseline.
+  /// The pair with antennas at these positions in P. Returns nullopt if the baseline has no
+  /// horizontal component.
   static std::optional<AntennaPair> At(const Vec3& first_P_m, const Vec3& second_P_m);
 
-  /// Heading of P from a fix of each at the same time, the first receiver's first.
+  /// Heading of P from simultaneous fixes of the first and the second receiver.
   double Heading_rad(const GnssSample& first, const GnssSample& second) const;
-  /// Yaw of P in W, from east, from the antennas' positions in W.
+  /// Yaw of P in W, counted from east, from the positions of the antennas in W.
   double Yaw_rad(const Vec3& first_W_m, const Vec3& second_W_m) const;
 
  private:

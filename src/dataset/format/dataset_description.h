@@ -9,25 +9,26 @@
 namespace tera {
 
 struct ChannelDescription {
-  std::string path;  ///< folder, or file for tables and poses, relative to the dataset
+  std::string path;  ///< path relative to the dataset: a folder for a sensor, a file for a table or
+                     ///< poses
   std::string type = std::string(kTableChannel);
 };
 
 inline constexpr int kDatasetFormat = 1;
 
-/// File for the inputs of a recording until its dataset.yaml is written.
+/// Holds the list of inputs while a recording is incomplete and has no dataset.yaml.
 inline constexpr char kInputsOfStoppedName[] = "INCOMPLETE.inputs";
 
-/// The text of dataset.yaml.
+/// Text of dataset.yaml.
 std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescription>& channels);
 
-/// The key `inputs` and its list in dataset.yaml's format.
+/// The key `inputs` with its list, in the format of dataset.yaml.
 std::string InputsYaml(const std::vector<RecordedInput>& inputs);
 
 /// `text` as a double-quoted YAML scalar.
 std::string YamlQuoted(const std::string& text);
 
-/// This program's version, as written into datasets.
+/// Version of this program as datasets store it.
 std::string_view TeraVersion();
 
 }  // namespace tera

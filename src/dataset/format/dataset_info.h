@@ -9,28 +9,29 @@
 
 namespace tera {
 
-/// An input file of a recording other than scenario.yaml, and its digest.
+/// An input file of a recording, with its digest. scenario.yaml is not among the inputs.
 struct RecordedInput {
   std::string name;  ///< PortableName
   std::int64_t bytes = 0;
   std::string sha256;  ///< 64 hexadecimal digits
-  std::string place;   ///< its position, "run/dataset.yaml:9:5: inputs[0]"; empty for a new input
+  std::string place;   ///< location for messages, such as "run/dataset.yaml:9:5: inputs[0]"; empty
+                       ///< for a new input
 };
 
-/// The general part of dataset.yaml.
+/// Entries of dataset.yaml other than channels.
 struct DatasetInfo {
   std::string scenario_name;
   bool simulated = true;
   std::uint64_t seed = 0;
   double duration_s = 0;
-  std::optional<RecordingEpoch> epoch;  ///< none for a simulation
+  std::optional<RecordingEpoch> epoch;  ///< absent for a simulation
   double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
-  std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
+  std::string resolved_scenario_yaml;  ///< written to scenario.yaml
   struct Instance {
     std::uint16_t id;
     std::string name;
     std::string label;
-    std::uint16_t parent = 0;  ///< the whole that contains it; 0: none
+    std::uint16_t parent = 0;  ///< instance of the object that contains this part; 0 for none
   };
   std::vector<Instance> instances;
   std::vector<RecordedInput> inputs;

@@ -9,16 +9,15 @@
 
 namespace tera {
 
-/// The time scale of a clock.
 enum class ClockScale {
   kUtc,     ///< Unix time: UTC without leap seconds
-  kGps,     ///< GPS time, as a date: ahead of UTC by the leap seconds since 1980
-  kUnknown  ///< unknown clock that counts from 1970
+  kGps,     ///< GPS time written as a date. It is ahead of UTC by the leap seconds since 1980.
+  kUnknown  ///< counts from 1970 on an unknown time scale
 };
 
-/// The epoch of a recording's time 0, exact to the nanosecond.
+/// Date and time at which a recording's t_ns is 0, exact to the nanosecond.
 struct RecordingEpoch {
-  TimeNs since_1970_ns = 0;  ///< by `clock`
+  TimeNs since_1970_ns = 0;  ///< nanoseconds since 1970-01-01 00:00:00 on `clock`
   ClockScale clock = ClockScale::kUnknown;
 
   bool operator==(const RecordingEpoch&) const = default;
@@ -30,19 +29,21 @@ std::string_view TextOf(ClockScale clock);
 /// The epoch as the line `epoch: {...}` of dataset.yaml.
 std::string EpochYaml(const RecordingEpoch& epoch);
 
-/// Reads the optional key `epoch` of dataset.yaml or of a mapping. A mapping's files may count from
-/// 1970 themselves; there `since_1970_ns` defaults to 0. Faults go to `config`.
+/// Reads the optional key `epoch`. With `may_count_from_1970`, `since_1970_ns` may be absent and
+/// then defaults to 0, because the times of the files may already count from 1970. Faults are
+/// reported at `config`.
 std::optional<RecordingEpoch> ReadEpoch(const ConfigMap& config, bool may_count_from_1970 = false);
 
-/// GPS time minus UTC at a GPS time from 1999 on.
+/// GPS time minus UTC. Valid for GPS times from 1999 on.
 ///
 /// Source  IERS Bulletin C; the last leap second was at the end of 2016.
 TimeNs GpsAheadOfUtc(TimeNs gps_ns);
 
-/// The epoch in UTC. An unknown clock is taken for UTC.
+/// The epoch in UTC. A clock of unknown scale is assumed to be UTC.
 TimeNs UtcOf(const RecordingEpoch& epoch);
 
-/// Zero of `b` minus zero of `a`: in UTC if both clocks are known, else on one assumed clock.
+/// Time 0 of `b` minus time 0 of `a`. The difference is in UTC if both time scales are known;
+/// otherwise both clocks are assumed to have the same scale.
 TimeNs ZeroOfAfter(const RecordingEpoch& a, const RecordingEpoch& b);
 
 }  // namespace tera

@@ -6,22 +6,21 @@
 
 namespace tera {
 
-/// Handle of one channel of a sink.
 using ChannelId = int;
 
-/// Receiver of a run's measurements, such as a dataset. Channels are added before the first
-/// measurement; measurements of a channel come in the order of their times.
+/// Receives the measurements of a run; a dataset writer is one example. All channels are added
+/// before the first measurement. Within a channel, times increase.
 class MeasurementSink {
  public:
   virtual ~MeasurementSink() = default;
 
   virtual ChannelId AddChannel(const ChannelInfo& info) = 0;
-  /// `measurement` must be of the channel's form.
+  /// The alternative held by `measurement` must match the form of the channel.
   virtual void Write(ChannelId channel, Measurement measurement) = 0;
 
-  /// False if the sink does not need this channel's frame of time stamp `t_ns`; the caller then
-  /// calls MarkPresent instead of measuring and writing it. `next_ns` is the true time of the
-  /// channel's next frame, whatever the sensor's clock.
+  /// False if the sink already has the frame of this channel at `t_ns`. The caller then calls
+  /// MarkPresent instead of rendering and writing the frame. `next_ns` is the time of the channel's
+  /// next frame on the simulation clock, even if the sensor's clock deviates.
   virtual bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const = 0;
   virtual void MarkPresent(ChannelId channel, TimeNs t_ns) = 0;
 

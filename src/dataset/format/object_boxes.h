@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// The labelled objects of one image as JSON text (boxes/<t_ns>.json; see
-/// docs/reference/dataset.md), with its exposure and loads if it has them.
+/// JSON of the labelled objects in one image, boxes/<t_ns>.json (docs/reference/dataset.md). It
+/// includes exposure and loads if the frame has them.
 std::string EncodeBoxes(const CameraFrame& frame);
 
-/// Reads such a file back into the frame. Throws InputError with the file and the missing item.
+/// Reads such a file into the frame. Throws InputError with the file and the missing item.
 void ReadBoxes(const std::filesystem::path& file, CameraFrame* frame);
-/// Reads only the objects.
+/// Reads the objects only.
 std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file);
 
 }  // namespace tera

@@ -19,7 +19,8 @@ constexpr char kSizes[] = "4 4 4 4 4 2 2 1";
 constexpr char kTypes[] = "F F F F U U U U";
 constexpr char kCounts[] = "1 1 1 1 1 1 1 1";
 constexpr std::size_t kPointBytes = 4 * 5 + 2 * 2 + 1;
-/// LZF adds at most one byte per 32 incompressible bytes, and needs some working space.
+/// Space for the output of LZF: incompressible input grows by at most one byte in 32, and the
+/// compressor needs some working space.
 constexpr std::size_t kLzfSpareBytes = 64, kLzfGrowth = 16;
 
 static_assert(std::endian::native == std::endian::little, "PCD data is little-endian");
@@ -31,7 +32,7 @@ std::string Header(std::size_t count) {
       kFields, kSizes, kTypes, kCounts, count, count);
 }
 
-/// Calls `visit` with each member of a point in the order of kFields.
+/// Calls `visit` with each member of a point, in the order of kFields.
 template <typename Visit>
 void ForEachField(const Visit& visit) {
   visit(&LidarPoint::x_m);
@@ -88,7 +89,7 @@ std::string Little(std::uint32_t value) {
                    {FaultKind::kMalformed, fmt::format("{}; write the file again", finding)});
 }
 
-/// The number of points in the header. Sets `body` to the start of the data.
+/// Returns the number of points in the header and sets `body` to the start of the data.
 std::size_t ParseHeader(const std::string& place, const std::string& bytes, std::size_t* body) {
   const std::string last = "DATA binary_compressed\n";
   const std::size_t end = bytes.find(last);

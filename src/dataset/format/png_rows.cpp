@@ -12,18 +12,19 @@ namespace tera {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::size_t kAroundChunk = 12;  ///< length, name and checksum
+constexpr std::size_t kAroundChunk = 12;  ///< length, name and checksum of a chunk
 constexpr std::size_t kHeaderBytes = 13;
 /// RFC 1951: the largest expansion of a compressed stream.
 constexpr std::size_t kMostExpansion = 1032;
 
-/// A PNG's header and its compressed pixels.
+/// Header of a PNG and its compressed pixels.
 struct Packed {
   std::string_view header;
   std::string pixels;
 };
 
-/// Returns nothing if a chunk is truncated or damaged, or changes the meaning of the pixels.
+/// Returns nullopt if a chunk is truncated, damaged, or of a kind that changes how pixels are
+/// decoded.
 std::optional<Packed> Unpacked(std::string_view png) {
   if (!png.starts_with(kSignature)) return std::nullopt;
   Packed packed;
@@ -51,7 +52,7 @@ std::optional<Packed> Unpacked(std::string_view png) {
   return std::nullopt;
 }
 
-/// Size and form; nothing for an unsupported form.
+/// Reads size and pixel format from the header; nullopt for an unsupported format.
 std::optional<PngRows> FormOf(std::string_view header) {
   constexpr char kGrey = 0, kRgb = 2;
   constexpr std::uint32_t kMostPixels = 1 << 20;  // per side, OpenCV's limit
@@ -66,9 +67,9 @@ std::optional<PngRows> FormOf(std::string_view header) {
       static_cast<int>(width), static_cast<int>(height), colour == kRgb ? 3 : 1, bits, {}};
 }
 
-/// Inverts a row's filter. The filter subtracts from each byte a prediction from the previous
-/// pixel, the row above, and the previous pixel of that row. `pixel` is the size of a pixel in
-/// bytes; the row above the first is 0.
+/// Undoes the filter of a row. The filter has subtracted a prediction from each byte. The
+/// prediction uses the pixels to the left, above, and above left. `pixel` is the size of a pixel in
+/// bytes. The row above the first row is 0.
 template <std::size_t pixel>
 bool Unfilter(std::uint8_t filter, const std::uint8_t* above, std::size_t count,
               std::uint8_t* row) {
@@ -105,7 +106,7 @@ bool Unfilter(std::uint8_t filter, const std::uint8_t* above, std::size_t count,
   }
 }
 
-/// Rows without their filters; false for an unknown filter.
+/// Undoes the filters of all rows; returns false for an unknown filter.
 bool UnfilterAll(std::vector<std::uint8_t>* filtered, std::size_t count, std::size_t pixel,
                  PngRows* rows) {
   const std::vector<std::uint8_t> zeros(count, 0);

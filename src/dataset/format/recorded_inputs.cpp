@@ -13,19 +13,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kDigits = 64;
-constexpr double kMostBytes = 9e15;  ///< below 2^53, so every YAML reader keeps it exactly
+constexpr double kMostBytes = 9e15;  ///< below 2^53, so that every YAML reader represents it
+                                     ///< exactly
 
 bool IsDigest(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Text for messages.
 std::string Shown(std::int64_t bytes, const std::string& sha256) {
   constexpr std::size_t kShownDigits = 12;
   return fmt::format("{} bytes with SHA-256 {}...", bytes, sha256.substr(0, kShownDigits));
 }
 
-/// The fault of the file at `path`, or nothing.
+/// The fault of the file at `path`; nullopt if it matches the recorded input.
 std::optional<InputFault> FaultOf(const RecordedInput& input, const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) {

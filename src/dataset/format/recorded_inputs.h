@@ -9,14 +9,14 @@
 
 namespace tera {
 
-/// Digests of these files. Throws InputError if one cannot be read.
+/// Size and SHA-256 of each file. Throws InputError if a file cannot be read.
 std::vector<RecordedInput> DigestsOf(const std::vector<InputFile>& files);
 
-/// Reads the key `inputs`. Faults go to `config`.
+/// Reads the key `inputs`. Faults are reported at `config`.
 std::vector<RecordedInput> ReadInputs(const ConfigMap& config);
 
-/// Current paths of the inputs. Throws InputError that names every missing or changed input, with
-/// the advice `remedy`.
+/// Finds the inputs of a recording on this computer. Throws InputError if any is missing or has
+/// changed. The message names each of them and ends with the advice `remedy`.
 std::vector<InputFile> RequireInputs(const std::vector<RecordedInput>& inputs,
                                      const std::vector<MovedFiles>& moved,
                                      const std::string& remedy);

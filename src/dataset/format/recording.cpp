@@ -30,7 +30,7 @@
 namespace tera {
 namespace {
 
-/// A channel type that this library reads itself.
+/// A channel type that this file knows.
 struct ChannelType {
   std::string_view name;
   ChannelForm form;
@@ -117,14 +117,14 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
   return info;
 }
 
-/// The kind in a sensor's own sensor.yaml; empty without the file.
+/// The sensor kind named in sensor.yaml; empty without that file.
 std::string KindOfSensor(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / "sensor.yaml", ignored)) return "";
   return Config::FromFile(folder / "sensor.yaml").root().Text("type", "");
 }
 
-/// Index of a type in kChannelTypes; its size for a sensor kind's own type.
+/// Index of a type in kChannelTypes; the size of the table for any other type.
 std::size_t PlaceOf(std::string_view type) {
   const auto found = std::find_if(kChannelTypes.begin(), kChannelTypes.end(),
                                   [&](const ChannelType& known) { return known.name == type; });
@@ -136,7 +136,8 @@ std::string ChooseType(const ConfigMap& map, std::index_sequence<places...>) {
   return map.Choice("type", {kChannelTypes[places].name...}, kTableChannel);
 }
 
-/// One of kChannelTypes, or another sensor kind, which its own sensor.yaml must name too.
+/// The type of a channel. A type outside kChannelTypes must be the sensor kind named in the
+/// channel's sensor.yaml.
 std::string ReadType(const ConfigMap& map, const fs::path& channel) {
   const std::string type = map.Text("type", kTableChannel);
   const bool known = PlaceOf(type) < kChannelTypes.size();
@@ -144,8 +145,8 @@ std::string ReadType(const ConfigMap& map, const fs::path& channel) {
   return ChooseType(map, std::make_index_sequence<kChannelTypes.size()>());
 }
 
-/// The form of a channel with a sensor kind's own type, from its files. Frames are listed in
-/// data.csv; scans also have a folder of that name.
+/// Infers the form of a channel with another type from its files. A channel of frames has a frame
+/// list in data.csv; a channel of scans also has a folder for scans.
 ChannelForm FormOfFiles(const fs::path& folder) {
   std::ifstream csv(folder / "data.csv");
   std::string header;
@@ -315,7 +316,7 @@ EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
   constexpr std::string_view kAngleEnding = "_rad", kTravelEnding = "_m";
   RowScan scan(directory_ / folder / "data.csv");
   EncoderRecording encoder;
-  const std::size_t n = scan.columns().size() / 2;  // positions, then rates
+  const std::size_t n = scan.columns().size() / 2;  // position columns, then rate columns
   for (std::size_t c = 0; c < n; ++c) {
     const std::string& column = scan.columns()[c];
     const bool linear = column.ends_with(kTravelEnding);
@@ -380,7 +381,7 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
     any = any || there;
     return there;
   };
-  // Pictures are decoded in parallel, since decoding dominates the reading of frames.
+  // Decoding takes most of the time, so images are decoded in parallel.
   PreparePng();
   std::vector<std::future<void>> decoded;
   const auto decode = [&](const fs::path& png, auto read) {

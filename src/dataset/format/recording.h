@@ -11,40 +11,41 @@
 
 namespace tera {
 
-/// Joint positions and rates over time.
 struct EncoderRecording {
   std::vector<EncoderAxis> axes;
   std::vector<EncoderSample> samples;
 };
 
-/// Poses over time. The reference of a real recording may have no velocities.
+/// Poses over time. A reference trajectory of a real recording may have no velocities.
 struct PoseRecording {
   bool has_velocity = false;
   std::vector<TruthPose> poses;
 };
 
-/// Any table with a leading t_ns.
+/// A table whose first column is t_ns.
 struct TableRecording {
   std::vector<std::string> columns;  ///< without t_ns
   std::vector<TimeNs> t_ns;
   std::vector<std::vector<double>> rows;
 };
 
-/// Whether a stopped run wrote this directory: it holds INCOMPLETE.txt and no dataset.yaml.
+/// True if a run was stopped before it completed this directory. The directory then holds
+/// INCOMPLETE.txt but no dataset.yaml.
 bool WasStopped(const std::filesystem::path& directory);
 
-/// The complete rows of a table of a stopped recording. Throws InputError if there is no such
-/// table.
+/// All complete rows of a table in a stopped recording. Throws InputError if the table does not
+/// exist.
 TableRecording LoadStoppedTable(const std::filesystem::path& directory, const std::string& file);
 
-/// The inputs of a recording, complete or stopped; empty if it does not name them.
+/// Inputs of a complete or stopped recording; empty if the recording lists none.
 std::vector<RecordedInput> LoadInputs(const std::filesystem::path& directory);
 
-/// A complete recording on disk, simulated or real, read channel by channel.
+/// A complete recording on disk, simulated or real. Channels are read on request.
 ///
-/// Any deviation from docs/reference/dataset.md is an InputError with file and line: a missing or
-/// renamed column, a truncated or non-finite row, times that do not increase, an empty or truncated
-/// image or scan. Measurements have t_available_ns = t_ns, since files hold no other time.
+/// Throws InputError with file and line for any deviation from docs/reference/dataset.md. Examples
+/// are missing or renamed columns, truncated or non-finite rows, times that do not increase, and
+/// empty or truncated images or scans. Files store no t_available_ns, so measurements have
+/// t_available_ns = t_ns.
 class Recording {
  public:
   explicit Recording(const std::filesystem::path& directory);
@@ -53,30 +54,29 @@ class Recording {
   const DatasetInfo& info() const { return info_; }
   const std::vector<ChannelDescription>& channels() const { return channels_; }
   bool Has(const std::string& path) const;
-  /// Paths of all channels of a type, in order of dataset.yaml.
+  /// Paths of all channels of the type, in the order of dataset.yaml.
   std::vector<std::string> ChannelsOf(std::string_view type) const;
-  /// Paths of all sensor channels of a form: first the types of channel_types.h in their order,
-  /// then others in order of dataset.yaml.
+  /// Paths of all sensor channels of the form. Types declared in channel_types.h come first, in the
+  /// order declared there; other types follow in the order of dataset.yaml.
   std::vector<std::string> SensorsOf(ChannelForm form) const;
-  /// The channels of SensorsOf(kRows) with numbers over time. Receivers are excluded, since their
-  /// numbers are invalid without a fix.
+  /// Channels of SensorsOf(kRows) that are valid time series. GNSS receivers are excluded, because
+  /// their values are invalid without a fix.
   std::vector<std::string> SeriesChannels() const;
-  /// The type of an existing channel.
   std::string_view TypeOf(const std::string& path) const;
-  /// Names of machines: folders that hold channels, or have truth. A simulated machine has
-  /// commands; what has truth alone is an obstacle.
+  /// Names of machines: folders that hold channels, and names under truth/. In a simulated
+  /// recording, a name under truth/ counts only if it has a table of commands; otherwise it is an
+  /// obstacle.
   std::vector<std::string> Machines() const;
 
   std::vector<ImuSample> LoadImu(const std::string& folder) const;
   std::vector<GnssSample> LoadGnss(const std::string& folder) const;
   EncoderRecording LoadEncoder(const std::string& folder) const;
-  /// Samples of any sensor whose samples are rows.
+  /// Samples of any sensor that records rows.
   TableRecording LoadRows(const std::string& folder) const;
   PoseRecording LoadPose(const std::string& file) const;
   TableRecording LoadTable(const std::string& file) const;
-  /// Times of a camera's or lidar's frames.
   std::vector<TimeNs> FrameTimes(const std::string& folder) const;
-  /// Missing images are empty.
+  /// Images absent on disk stay empty.
   CameraFrame LoadFrame(const std::string& folder, TimeNs t_ns) const;
   LidarScan LoadScan(const std::string& folder, TimeNs t_ns) const;
 

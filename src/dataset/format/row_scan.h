@@ -12,42 +12,43 @@
 
 namespace tera {
 
-/// A valid row of a CSV file.
 struct ScannedRow {
   int line = 0;
   TimeNs t_ns = 0;
-  std::vector<double> values;  ///< without t_ns; empty in a list of frames
-  std::string filename;        ///< in a list of frames
+  std::vector<double> values;  ///< without t_ns; empty in a frame list
+  std::string filename;        ///< only in a frame list
 };
 
 enum class RowFault {
-  kCutOff,     ///< a last line without an end
-  kFields,     ///< too few or many fields, or no number
+  kCutOff,     ///< the last line has no line end
+  kFields,     ///< too few or too many fields, or a field that is not a number
   kNotFinite,  ///< NaN or infinity
-  kStamp       ///< t_ns no greater than in the previous row
+  kStamp       ///< t_ns is not greater than in the previous row
 };
 
-/// Reads a CSV file of a recording row by row, at any length. Times of the returned rows increase.
+/// Reads a CSV file of a recording row by row in constant memory. The times of the returned rows
+/// increase.
 class RowScan {
  public:
   using OnFault = std::function<void(RowFault fault, int line, const std::string& what)>;
 
-  /// Refuses faults. Throws InputError with file and line if the file cannot be read, and if its
-  /// first line is no header or repeats a column. Next throws for a faulty row.
+  /// Strict mode: Next throws InputError for a faulty row. The constructor throws InputError with
+  /// file and line if the file cannot be read, has no header or has a repeated column.
   explicit RowScan(const std::filesystem::path& file);
-  /// Reports faulty rows and skips them.
+  /// Tolerant mode: a faulty row is passed to `on_fault` and skipped.
   RowScan(const std::filesystem::path& file, OnFault on_fault);
   RowScan(const RowScan&) = delete;
   RowScan& operator=(const RowScan&) = delete;
 
-  /// Without t_ns; only `filename` in a list of frames.
+  /// Column names without t_ns. A frame list has only the column `filename`.
   const std::vector<std::string>& columns() const { return columns_; }
   bool lists_frames() const { return lists_frames_; }
-  /// The next valid row; false at the end.
+  /// Reads the next valid row; returns false at the end.
   bool Next(ScannedRow* row);
-  /// Throws InputError about the last row of Next, or about the header before the first.
+  /// Throws InputError that names the last row of Next, or the header if no row has been read.
   [[noreturn]] void Fail(std::string_view finding) const;
-  /// Throws InputError unless the columns are these, without t_ns; names the first missing one.
+  /// Throws InputError unless the columns after t_ns are `columns`. The message names the first
+  /// missing column.
   void RequireColumns(const std::vector<std::string>& columns) const;
 
  private:

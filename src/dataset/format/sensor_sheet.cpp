@@ -25,7 +25,7 @@ Pose ReadPlace(const ConfigMap& map) {
   return MakePose(p_m, rotation.normalized().toRotationMatrix());
 }
 
-/// Beams times columns, where the pattern has both.
+/// Number of rays: beams times columns, if the scan pattern defines both.
 int ReadLidarRays(const ConfigMap& model) {
   constexpr double kMostColumns = 100'000;
   constexpr std::size_t kMostBeams = 1024;
@@ -81,7 +81,8 @@ SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder) {
     if (sheet.type == kLidarChannel) sheet.lidar_rays = ReadLidarRays(model);
     if (sheet.type == kImuChannel) sheet.imu_noise = ReadImuNoise(model);
   }
-  // Other keys belong to other readers and are checked only after a fault in the requested ones.
+  // Other programs may read further keys. Unknown keys are therefore reported only together with a
+  // fault in the requested keys.
   if (FaultCount(root) > 0) config.Finish();
   return sheet;
 }

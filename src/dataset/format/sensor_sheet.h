@@ -11,8 +11,8 @@ namespace tera {
 
 class ConfigMap;
 
-/// A camera's picture and lens as in docs/reference/dataset.md. The centre of pixel (0, 0) is the
-/// image point (0, 0).
+/// Image size and lens of a camera, as in docs/reference/dataset.md. The centre of pixel (0, 0) has
+/// image coordinates (0, 0).
 struct CameraLens {
   std::string law = "brown_conrady";  ///< or `rational`, `kannala_brandt`, `f_theta`
   int width_px = 0, height_px = 0;
@@ -21,27 +21,27 @@ struct CameraLens {
   double k4 = 0, k5 = 0, k6 = 0;
 };
 
-/// White noise of an inertial unit, equal for all axes.
+/// White noise of an IMU, equal on all axes.
 ///
-/// Model   the variance of one sample of period T is density^2 / T + sample^2.
+/// Model   A sample over the period T has the variance density^2 / T + sample^2.
 struct ImuNoise {
   double gyro_density_radpsrthz = 0, gyro_sample_radps = 0;
   double accel_density_mps2rthz = 0, accel_sample_mps2 = 0;
 };
 
-/// Contents of a sensor.yaml. Missing keys of a real sensor are unknown.
+/// Content of a sensor.yaml. Keys may be absent for a real sensor.
 struct SensorSheet {
   std::string type, name;
-  std::string parent_link;   ///< empty: unknown, or none
-  std::optional<Pose> X_PS;  ///< in the parent link
+  std::string parent_link;   ///< empty: unknown or none
+  std::optional<Pose> X_PS;  ///< pose of the sensor in the parent link
   double rate_hz = 0;        ///< 0: unknown
   TimeNs latency_ns = 0;
   std::optional<CameraLens> lens;
-  int lidar_rays = 0;  ///< of a whole scan; 0: unknown
+  int lidar_rays = 0;  ///< rays per scan; 0: unknown
   std::optional<ImuNoise> imu_noise;
 };
 
-/// Reads a camera's `model` as in sensor.yaml. Faults go to `model`.
+/// Reads the key `model` of a camera, as in sensor.yaml. Faults are reported at `model`.
 CameraLens ReadCameraLens(const ConfigMap& model);
 
 /// Throws InputError if the file is missing or deviates from docs/reference/dataset.md.

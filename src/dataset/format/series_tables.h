@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The tables of a recording other than sensors, levers and truth: set-points, efforts and other
-/// imported data. Their columns are numbers over time.
+/// Tables of a recording that hold time series but are neither sensors, levers nor ground truth.
+/// Examples are set-points, efforts and other imported data.
 std::vector<std::string> SeriesTables(const Recording& recording);
 
 }  // namespace tera

@@ -6,12 +6,14 @@
 
 namespace tera {
 
-/// The world's position on Earth.
+/// Conversion between the world frame and geodetic coordinates.
 ///
-/// Frames  W local east-north-up: its origin at the geodetic position, z along the ellipsoid's
-///         normal there. Geodetic: WGS 84, degrees, height above the ellipsoid.
-/// Model   W to Earth-centred Cartesian by one rigid motion, then to geodetic. W is a plane: the
-///         ellipsoid falls away from z = 0 by d^2 / 2R, 8 cm at 1 km.
+/// Frames  W local east-north-up: its origin is at the geodetic position, and z is the normal of
+///         the ellipsoid there. Geodetic coordinates are WGS 84 in degrees, with height above the
+///         ellipsoid.
+/// Model   One rigid motion maps W to Earth-centred Cartesian coordinates, which are converted to
+///         geodetic ones. The plane z = 0 of W is tangent to the ellipsoid, which is d^2 / 2R below
+///         it at distance d: 8 cm at 1 km.
 /// Omits   the geoid, tides, plate motion.
 /// Source  GeographicLib's LocalCartesian; Karney 2011, "Geodesics on an ellipsoid of revolution",
 ///         appendix B.

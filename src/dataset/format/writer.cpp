@@ -29,7 +29,8 @@ constexpr char kDescriptionName[] = "dataset.yaml";
 
 constexpr std::string_view kKindEnds = " is not complete: ", kToDo = "\nWhat to do: ";
 
-/// Note on an incomplete directory; equal for equal runs at any place.
+/// Text of the note in an incomplete directory. Equal runs have equal notes, independent of the
+/// path.
 std::string Note(const DatasetInfo& info, const WriterOptions& options) {
   return fmt::format(
       "This {}{}the run that writes it was stopped, or is still going on."
@@ -59,14 +60,15 @@ void NeedSame(const fs::path& file, const std::string& now) {
                   file.parent_path().string()));
 }
 
-/// The part of `text` between two marks, or nothing.
+/// The part of `text` between two marks; nullopt if a mark is missing.
 std::string Between(const std::string& text, std::string_view before, std::string_view after) {
   const std::size_t first = text.find(before), begin = first + before.size();
   const std::size_t end = first == text.npos ? text.npos : text.find(after, begin);
   return end == text.npos ? "" : text.substr(begin, end - begin);
 }
 
-/// Also reports a directory that another command began and this one cannot finish.
+/// Throws InputError if the directory's note differs: another command began the directory, and this
+/// one cannot complete it.
 void NeedSameNote(const fs::path& root, const std::string& now) {
   const std::string there = Exists(root / kNoteName) ? ReadWholeFile(root / kNoteName) : "";
   const std::string remedy = Between(there, kToDo, ".\n");
@@ -84,7 +86,7 @@ void RemoveNotes(const fs::path& root) {
   Remove(root / kNoteName);
 }
 
-/// Removes temporary files of a killed run.
+/// Deletes temporary files that a killed run left.
 void RemoveParts(const fs::path& root) {
   std::vector<fs::path> parts;
   std::error_code error;
@@ -105,13 +107,13 @@ struct Channel {
   bool any_rows = false;
 };
 
-/// File naming of one form.
+/// File names of the frames of one channel form.
 struct FrameFiles {
-  std::string_view ending;  ///< extension of the names in data.csv
+  std::string_view ending;  ///< extension of the file names in data.csv
   std::vector<std::string_view> folders;
 };
 
-/// Picture folders of a camera by default.
+/// Image folders of a camera without label channels.
 std::vector<std::string_view> PictureFolders() {
   std::vector<std::string_view> folders = {"rgb", "depth"};
   for (const LabelChannel& channel : kLabelChannels) {
@@ -144,11 +146,11 @@ struct DatasetWriter::Impl {
   std::unique_ptr<FrameLog> frame_log;
   std::atomic<std::int64_t> frames_written = 0, frame_bytes = 0;
   std::int64_t row_bytes = 0;
-  std::unique_ptr<FrameQueue> queue;  // last, so that its threads end before the data they use
+  std::unique_ptr<FrameQueue> queue;  // last member: its threads must end before the data they use
 
   void Begin(const WriterOptions& options);
   void WriteNotes();
-  /// `text` is the beginning of its table, or all of it.
+  /// `text` is the beginning of the channel's table, or the whole table.
   ChannelId Add(const ChannelInfo& info, std::string_view text);
   Channel& Find(ChannelId id);
   void Write(Channel* channel, const RowSample& row);
@@ -312,9 +314,10 @@ DatasetWriter::~DatasetWriter() {
 
 bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
   const fs::path root = IncompleteOf(directory);
-  if (!Exists(root / kDescriptionName)) return false;  // written after all other files
+  if (!Exists(root / kDescriptionName)) return false;  // dataset.yaml is written last
   const FolderLock lock(root);
-  // If the note is already removed, the scenario also has the seed and the duration.
+  // If the note is already deleted, the scenario still identifies the run: it contains seed and
+  // duration.
   if (Exists(root / kNoteName)) NeedSameNote(root, Note(info, WriterOptions()));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
   if (Exists(root / kInputsOfStoppedName)) {

@@ -6,7 +6,8 @@
 namespace tera {
 namespace {
 
-/// A sensor's range may exceed a turn by one step of its resolution: 0 to 360 with both ends.
+/// A sensor may show both ends of its range, such as 0 and 360, so values may exceed a turn by one
+/// step.
 constexpr double kMostOfTurn = 1.01;
 
 double SpanOfAngles(const std::vector<double>& angle) {

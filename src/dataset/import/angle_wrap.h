@@ -5,22 +5,23 @@
 
 namespace tera {
 
-/// Angle sensors that wrap after a turn: 360 to 0, 180 to -180.
+/// Angles that wrap after a full turn, from 360 to 0 or from 180 to -180.
 
-/// Rows at which an angle jumps, from the second on. A jump exceeds half a turn of `turn`, in the
-/// angle's own unit. It differs by as much from the steps before and after it, and by more than
-/// their own size. A fast wheel, or degrees taken for radians, instead make large steps in a row.
+/// Indices of rows at which an angle jumps. A jump exceeds half of `turn`, a full turn in the
+/// angle's unit. It must also differ by that much from the steps before and after it, and by more
+/// than their own size. Thus a series of large steps, as of a fast wheel or of degrees read as
+/// radians, contains no jumps.
 std::vector<std::size_t> JumpsOf(const std::vector<double>& angle, double turn);
 
-/// Whether an angle wraps after `turn`.
+/// True if an angle wraps after `turn`.
 ///
-/// Model   all values lie within one turn and some steps exceed half of it. After unwrapping, these
-///         steps are at most twice the others. A single wrong value would not continue to its
-///         neighbours.
+/// Model   All values lie within one turn, and some steps exceed half a turn. After unwrapping,
+///         these steps are at most twice as large as the other steps. A single wrong value fails
+///         this test.
 bool BeginsAnew(const std::vector<double>& angle, double turn);
 
-/// Unwraps an angle that wraps after `turn`: each value moves by whole turns to within half a turn
-/// of the previous one. Returns the number of rows at which the count of turns changes.
+/// Unwraps an angle: adds whole turns so that each value is within half a turn of the previous one.
+/// Returns the number of rows at which the added turns change.
 std::size_t Unwrap(double turn, std::vector<double>* angle);
 
 }  // namespace tera

@@ -11,7 +11,7 @@ namespace {
 
 constexpr TimeNs kMinute_ns = 60 * kNsPerSecond, kHour_ns = 60 * kMinute_ns;
 
-/// Parses a text part by part.
+/// Reads a text part by part.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : rest_(text) {}
@@ -28,7 +28,7 @@ class TextCursor {
     rest_.remove_prefix(1);
     return true;
   }
-  /// Takes a word in any case.
+  /// Takes a word; case does not matter.
   bool TakeWord(std::string_view lower) {
     if (rest_.size() < lower.size()) return false;
     for (std::size_t k = 0; k < lower.size(); ++k) {
@@ -37,13 +37,12 @@ class TextCursor {
     rest_.remove_prefix(lower.size());
     return true;
   }
-  /// Takes a number of `least` to `most` digits.
+  /// Takes a number with `least` to `most` digits.
   std::optional<int> TakeNumber(std::size_t least, std::size_t most) {
     const std::size_t count = DigitCount();
     if (count < least || count > most) return std::nullopt;
     return TakeDigits(count);
   }
-  /// Takes exactly `count` digits.
   std::optional<int> TakeDigits(std::size_t count) {
     if (DigitCount() < count) return std::nullopt;
     int value = 0;
@@ -51,7 +50,7 @@ class TextCursor {
     rest_.remove_prefix(count);
     return value;
   }
-  /// Takes all following digits as the fraction of a second.
+  /// Takes all following digits as a fraction of a second.
   TimeNs TakeFraction_ns() {
     TimeNs fraction_ns = 0, digit_ns = kNsPerSecond;
     for (std::size_t count = DigitCount(); count > 0; --count) {
@@ -87,7 +86,7 @@ std::optional<int> TakeMonthName(TextCursor* text) {
   return std::nullopt;
 }
 
-/// "Sat " or "Sat, ".
+/// Skips "Sat " or "Sat, ".
 void SkipWeekday(TextCursor* text) {
   for (const char* day : {"mon", "tue", "wed", "thu", "fri", "sat", "sun"}) {
     TextCursor after = *text;
@@ -103,8 +102,8 @@ void SkipWeekday(TextCursor* text) {
 
 struct TakenDate {
   TimeNs day_ns = 0;
-  bool is_compact = false;   ///< 20261128
-  bool needs_order = false;  ///< the year is last; the order of day and month is ambiguous
+  bool is_compact = false;   ///< such as 20261128
+  bool needs_order = false;  ///< ambiguous: the year is last, and day and month could be swapped
 };
 
 std::optional<TakenDate> TakeYearFirst(TextCursor* text) {
@@ -175,7 +174,7 @@ struct TakenZone {
   TimeNs ahead_ns = 0;
 };
 
-/// The zone and local time minus UTC. Nothing for an invalid zone.
+/// Takes a time zone; nullopt if it is invalid.
 std::optional<TakenZone> TakeZone(TextCursor* text) {
   text->SkipBlanks();
   if (text->at_end()) return TakenZone{};
@@ -195,7 +194,7 @@ CalendarTime OfParts(TimeNs day_ns, TimeNs clock_ns, const TakenZone& zone) {
   return {day_ns + clock_ns - zone.ahead_ns, zone.is_there, zone.ahead_ns, true};
 }
 
-/// "Nov 28 22:46:10 2026" or "Nov 28, 2026 22:46:10".
+/// Takes "Nov 28 22:46:10 2026" or "Nov 28, 2026 22:46:10".
 std::optional<CalendarTime> TakeMonthFirst(TextCursor text) {
   const auto month = TakeMonthName(&text);
   if (!month || !text.TakeOneOf(" ")) return std::nullopt;

@@ -52,7 +52,7 @@ constexpr Unit kUnits[] = {
 };
 
 struct Spelling {
-  std::string_view text;  ///< lower case, without blanks and brackets
+  std::string_view text;  ///< in lower case, without blanks and brackets
   const char* unit;
   double scale = 1.0;
 };
@@ -216,7 +216,7 @@ std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension
     if (lower == spelling.text && fits(*unit)) return WrittenUnit{unit, spelling.scale};
   }
   for (const Unit& unit : kUnits) {
-    // Case matters only if it separates units, as in mPa and MPa.
+    // Case is ignored unless it distinguishes units, as in mPa and MPa.
     if (lower == LowerCase(unit.name) && unit.dimension != Dimension::kPressure && fits(unit)) {
       return WrittenUnit{&unit};
     }
@@ -251,7 +251,7 @@ std::vector<ColumnTerm> ColumnMapping::Terms() const {
   if (!column.empty()) {
     terms.insert(terms.begin(), ColumnTerm{column, factor, 0, in_minutes, hemisphere});
   }
-  // The integer part of a time's unit is handled without rounding.
+  // A unit of time that is a whole number of nanoseconds is applied without rounding.
   for (ColumnTerm& term : terms) {
     const double unit_ns = term.factor * static_cast<double>(kNsPerSecond);
     const double whole_ns = std::round(unit_ns);

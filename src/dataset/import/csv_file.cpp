@@ -12,9 +12,9 @@
 
 namespace tera {
 void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
-  if (fields_.empty()) {  // one allocation; growth would need twice the memory
+  if (fields_.empty()) {  // a single allocation, because growth would need twice the memory
     const auto lines = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '\n'));
-    // Each field takes at least one byte: its separator or the end of its line.
+    // Each field occupies at least one byte: its separator or the end of its line.
     fields_.reserve(std::min((lines + 1) * columns_.size(), text_->size() + 1));
     line_of_row_.reserve(lines + 1);
   }
@@ -35,7 +35,8 @@ void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) ++count[name];
   for (std::size_t c = 0; c < names.size(); ++c) {
     std::string name = names[c].empty() ? std::to_string(c + 1) : std::string(names[c]);
-    // In a name on two lines the second is usually the unit. Quotes within quotes are doubled.
+    // A name with two lines usually has its unit on the second. A doubled quote within quotes is
+    // one quote.
     std::replace(name.begin(), name.end(), '\n', ' ');
     for (std::size_t at = 0; (at = name.find("\"\"", at)) != std::string::npos; ++at) {
       name.erase(at, 1);

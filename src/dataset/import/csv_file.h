@@ -15,31 +15,32 @@
 
 namespace tera {
 
-/// Syntax of a foreign table.
+/// Syntax of a text table.
 struct CsvForm {
-  char separator = 0;  ///< 0: the first of tab, semicolon, bar, comma and blanks in its first line
-  bool has_header = true;  ///< else columns are named by their numbers, from "1" on
-  int skipped_lines = 0;   ///< before the header, or before the first row
-  int unit_lines = 0;      ///< lines of units and the like after the header, without empty ones
-  /// Range of lines with rows; 0: no limit.
+  char separator = 0;  ///< 0: the first of tab, semicolon, bar, comma and blank that occurs in the
+                       ///< first line
+  bool has_header = true;  ///< false: columns are named "1", "2" and so on
+  int skipped_lines = 0;   ///< lines before the header, or before the first row
+  int unit_lines = 0;      ///< non-empty lines between header and first row, such as units
+  /// First and last line that may hold rows; 0: no limit.
   int first_line = 0, last_line = 0;
   NumberForm numbers;
 };
 
-/// The tables of several files of one form, concatenated; the plain table for one file. Throws
-/// InputError if their columns differ, and as CsvFile does.
+/// Reads one table, or several tables with equal columns one after another. Throws InputError if
+/// the columns differ, and as CsvFile does.
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out);
 
-/// A foreign table in a text file, in memory. Every fault is an InputError with file:line, the
-/// finding and the need.
+/// A text table in memory. A fault throws InputError with file, line, found content and required
+/// content.
 class CsvFile final : public RowTable {
  public:
-  /// Reads the file as DecodedTable does. Fields may have quotes and surrounding blanks. Empty
-  /// lines, lines that begin with '#' or '%', separators at the end of rows and an unterminated
-  /// last line are accepted. Columns without a name are named by their numbers; the k-th column of
-  /// a repeated name is "NAME#k". Rows with too few or too many fields are a fault, or go to
-  /// `left_out` if given.
+  /// Reads the file with DecodedTable. Accepts quoted fields, blanks around fields, empty lines,
+  /// comment lines that begin with '#' or '%', separators at the end of rows, and a last line
+  /// without an end. A column without a name is named by its number; the k-th column of a repeated
+  /// name is "NAME#k". A row with too few or too many fields is a fault, or is added to `left_out`
+  /// if given.
   CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out);
 
   const std::filesystem::path& path() const { return path_; }
@@ -51,7 +52,7 @@ class CsvFile final : public RowTable {
   std::size_t Column(const std::string& name) const override;
   int Line(std::size_t row) const override { return line_of_row_[row]; }
   std::size_t Ordinal(std::size_t row) const override { return ordinals_[row]; }
-  /// Number of rows including the left out ones.
+  /// Number of rows, including those left out.
   std::size_t ordinal_count() const { return ordinal_count_; }
   std::string_view Field(std::size_t row, std::size_t column) const {
     const Place place = fields_[row * columns_.size() + column];
@@ -77,14 +78,15 @@ class CsvFile final : public RowTable {
                          const InputFault& fault) const override;
 
  private:
-  /// Position of a field in the text, half the size of a view: files have 1e8 fields.
+  /// Position of a field in the text. It has half the size of a string_view, because tables have up
+  /// to 1e8 fields.
   struct Place {
     std::uint64_t begin : 40, bytes : 24;
   };
 
   void NameColumns(const std::vector<std::string_view>& names);
   void ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* left_out);
-  /// Removes the empty fields of separators at the end of a row.
+  /// Removes empty fields at the end of a row that has surplus separators.
   void DropEmptyEnd(std::vector<std::string_view>* fields) const;
   std::string WrongFieldCount(std::size_t found, bool is_last) const;
   [[noreturn]] void FailAtLine(int line, const InputFault& fault) const;
@@ -92,14 +94,14 @@ class CsvFile final : public RowTable {
 
   std::filesystem::path path_;
   std::unique_ptr<const std::string>
-      text_;  ///< on the heap, so that fields stay valid when the file is moved
+      text_;  ///< on the heap, so that views stay valid when the object is moved
   std::vector<std::string> columns_;
   std::vector<Place> fields_;  ///< row by row
   std::vector<int> line_of_row_;
   std::vector<std::size_t> ordinals_;
   std::size_t ordinal_count_ = 0;
   NumberForm numbers_;
-  int header_line_ = 1;  ///< 0: none
+  int header_line_ = 1;  ///< 0: no header
 };
 
 }  // namespace tera

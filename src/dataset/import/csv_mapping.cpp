@@ -127,7 +127,7 @@ std::optional<BagTopic> ReadNamedTopic(const ConfigMap& channel, std::string_vie
 
 namespace {
 
-/// The topic that a channel names, as described in its bag.
+/// The topic that a channel names, as its bag describes it.
 std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesystem::path& file,
                                   UnpackedFiles* unpacked) {
   if (!channel.Has("topic")) {
@@ -139,19 +139,19 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
   return ReadNamedTopic(channel, "topic", file, unpacked).value_or(unknown);
 }
 
-/// Whether a mapping gives a time for a channel whose rows have their own stamps.
+/// True if the mapping gives a time for a channel whose rows have their own stamps.
 bool HasTimeForStamps(const ConfigMap& channel, const ConfigMap& top) {
   if (channel.Has("time") || !channel.Has("file") || !top.Has("time")) {
     return channel.Has("time") || top.Has("time");
   }
   if (top.IsText("time")) return false;
-  // A time with more than a column and an offset belongs to text tables.
+  // A `time` with keys other than column and offset belongs to text tables.
   const std::vector<std::string> keys = top.Map("time").Keys();
   return std::all_of(keys.begin(), keys.end(),
                      [](const std::string& key) { return key == "column" || key == "offset"; });
 }
 
-/// Selects the transform between the channel's frames; rows are the messages that contain it.
+/// Selects the transform between the channel's frames. Rows are the messages that contain it.
 void ReadTransform(const ConfigMap& channel, RowSource* source) {
   if (!channel.Has("parent") && !channel.Has("child")) return;
   const std::string parent = channel.Text("parent"), child = channel.Text("child");
@@ -172,14 +172,14 @@ void ReadTransform(const ConfigMap& channel, RowSource* source) {
   source->rules.push_back({source->element + "transform.translation.x", RowRule::Test::kPresent});
 }
 
-/// The default time column of a topic or a log of known form.
+/// Default time column of a topic or of a log with known format.
 std::string OwnTimeColumn(const RowSource& source) {
   if (!source.topic) return kLogTimeColumn;
   const bool has_stamp = !source.element.empty() || HasHeader(*source.topic);
   return has_stamp ? source.element + kHeaderStamp : kLogTime;
 }
 
-/// Rules by text apply to text tables.
+/// Only text tables support rules that compare texts.
 std::vector<RowRule> ReadRules(const ConfigMap& channel, const RowSource& source) {
   std::vector<RowRule> rules;
   for (const ConfigMap& item : channel.List("valid_if")) {
@@ -244,7 +244,7 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
 
 namespace {
 
-/// Numbers of the rows of one file.
+/// Converts the rows of one file.
 class MappedRows {
  public:
   MappedRows(const RowTable& table, const RowSource& source,
@@ -253,7 +253,7 @@ class MappedRows {
         source_(source),
         times_(table, source.time, [this](std::size_t row) { return IsValid(row); }),
         zero_ns_(zero_ns) {
-    // A missing column is a fault of the mapping even without rows.
+    // A missing column is a fault of the mapping even if the file has no rows.
     for (const ColumnMapping& column : columns) columns_.emplace_back(table, column);
     for (const RowRule& rule : source.rules) table.Column(rule.column);
   }
@@ -302,7 +302,7 @@ class MappedRows {
   TimeNs zero_ns_;
 };
 
-/// Paths of columns, time and rules, each once.
+/// Paths used by columns, time and rules, without duplicates.
 std::vector<std::string> PathsOf(const RowSource& source,
                                  const std::vector<ColumnMapping>& columns) {
   std::vector<std::string> paths;

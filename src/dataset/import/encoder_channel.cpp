@@ -15,24 +15,26 @@
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 
-// Encoders of a mapping.
+// Imports encoders.
 
 namespace tera {
 namespace {
 
-/// Columns of a joint's angle and rate. Without an angle it is the rate's integral; without a rate
-/// it is the angle's difference quotient. For a prismatic joint these are travel and speed.
+/// Column indices of a joint's angle and rate. Without an angle, it is integrated from the rate.
+/// Without a rate, it is a difference quotient of the angle. For a prismatic joint, they are travel
+/// and speed.
 struct JointColumns {
   EncoderAxis axis;
   int angle = -1;
   int rate = -1;
   std::optional<CylinderStroke> cylinder =
-      std::nullopt;        ///< set if the angle's column is its stroke
-  bool is_rolled = false;  ///< the angle follows from the travel over the ground
-  double wrap_rad = 0;     ///< period of the angle's column; 0: no wrap, or unknown
+      std::nullopt;        ///< set if the angle column holds the stroke of the joint's cylinder
+  bool is_rolled = false;  ///< the angle is computed from travel over the ground
+  double wrap_rad = 0;     ///< period of the angle column; 0: it does not wrap, or the period is
+                           ///< unknown
 };
 
-/// Angles over time by the trapezoidal rule, 0 at the first row.
+/// Integrates the rate by the trapezoidal rule. The angle is 0 at the first row.
 void IntegrateRate(const JointColumns& joint, std::size_t j, const std::vector<MappedRow>& rows,
                    std::vector<EncoderSample>* samples) {
   const auto rate = static_cast<std::size_t>(joint.rate);
@@ -95,8 +97,8 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
   return samples;
 }
 
-/// Rows at which a joint's angle jumps, as a wrapping sensor does. None if the mapping gives a
-/// period, or if the angle is derived.
+/// Rows at which a joint's angle jumps, as wrapping sensors do. Empty if the mapping gives the
+/// period or the angle is computed from a rate.
 std::vector<std::size_t> JointJumps(const JointColumns& joint, std::size_t j,
                                     const std::vector<EncoderSample>& samples) {
   const bool has_angle = joint.angle >= 0 && !joint.cylinder && !joint.is_rolled;
@@ -104,7 +106,7 @@ std::vector<std::size_t> JointJumps(const JointColumns& joint, std::size_t j,
   return JumpsOf(AnglesOf(j, samples), 2 * kPi);
 }
 
-/// Reports joints with jumps.
+/// Adds remarks on joints whose angle jumps.
 void CountJumps(const std::vector<JointColumns>& joints, const std::vector<EncoderSample>& samples,
                 const RowSource& source, const std::vector<MappedRow>& rows,
                 ImportedChannel* channel) {
@@ -122,10 +124,10 @@ void CountJumps(const std::vector<JointColumns>& joints, const std::vector<Encod
   }
 }
 
-/// Counts strokes outside the range of the joint's travel.
+/// Counts strokes outside the joint limits.
 void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vector<MappedRow>& rows,
                         ImportedChannel* channel) {
-  constexpr double kSlack_m = 1e-3;  // allowance for buffers, pins and stroke sensors
+  constexpr double kSlack_m = 1e-3;  // allows for buffers, pins and errors of stroke sensors
   for (const JointColumns& joint : joints) {
     if (!joint.cylinder) continue;
     for (const MappedRow& row : rows) {
@@ -139,7 +141,7 @@ void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vect
   }
 }
 
-/// Counts rates beyond those of any machine.
+/// Counts rates faster than any machine.
 void CountTooFast(const std::vector<JointColumns>& joints,
                   const std::vector<EncoderSample>& samples, ImportedChannel* channel) {
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -162,7 +164,7 @@ void CountTooFast(const std::vector<JointColumns>& joints,
   }
 }
 
-/// An angle from the travel of a wheel or a track.
+/// An angle from the travel of a wheel or track.
 ColumnMapping ReadRolled(const ConfigMap& config) {
   ColumnMapping rolled = ReadColumnMapping(config.Map("rolled"), Dimension::kLength);
   const double radius_m = config.Number("radius_m", Positive("m"));
@@ -170,7 +172,8 @@ ColumnMapping ReadRolled(const ConfigMap& config) {
   return rolled;
 }
 
-/// A joint with an indirect position; false for a direct one.
+/// Reads a joint whose position follows from the travel of a wheel or the stroke of a cylinder.
+/// Returns false for any other joint.
 bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
                   JointColumns* joint, std::vector<ColumnMapping>* columns) {
   if (!config.Has("rolled") && !config.Has("stroke")) return false;
@@ -200,7 +203,7 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
   return true;
 }
 
-/// A joint by its name in a JointState, with an optional position or velocity.
+/// A joint selected by its name in a JointState. Its position or its velocity may be absent.
 JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* columns) {
   const int first = static_cast<int>(columns->size());
   columns->push_back({.column = "position[" + axis.name + "]", .may_lack = true});
@@ -208,7 +211,7 @@ JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* 
   return {axis, first, first + 1};
 }
 
-/// Whether a topic's joints are identified by name alone.
+/// True if joints of the topic can be selected by name alone.
 bool IsStandard(const RowSource& source) {
   return source.topic && source.topic->type == kJointType;
 }
@@ -219,7 +222,7 @@ bool SaysNoColumn(const ConfigMap& joint) {
   return std::none_of(kKeys.begin(), kKeys.end(), [&](const char* key) { return joint.Has(key); });
 }
 
-/// All joints of a topic, for a mapping that names none.
+/// All joints of a topic, for a mapping that lists none.
 std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& source,
                                     std::vector<ColumnMapping>* columns) {
   std::vector<JointColumns> joints;
@@ -231,7 +234,7 @@ std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& so
   return joints;
 }
 
-/// Whether no row has a number in a column. A column with numbers in only some rows is a fault.
+/// True if a column has no number in any row. Throws if only some rows have numbers.
 bool IsMissing(const RowSource& source, const std::vector<MappedRow>& rows, int column,
                const std::string& field) {
   const auto lacks = [&](const MappedRow& row) {
@@ -267,7 +270,7 @@ void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
   }
 }
 
-/// The period of an angle's column; 0 if the mapping has none.
+/// Period of an angle column; 0 if the mapping gives none.
 double ReadWrap(const ConfigMap& config, const JointColumns& joint) {
   const auto wrap_deg = config.OptionalNumber("wrap_deg", Positive("deg"));
   if (!wrap_deg) return 0;

@@ -19,8 +19,8 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kFirstBytes = 4096;
 
-/// A form with bytes at a fixed offset. In a remedy {0} is the file and {1} its name without
-/// extension.
+/// A format with fixed bytes at an offset. In a remedy, {0} stands for the file and {1} for its
+/// name without extension.
 struct Magic {
   std::size_t at;
   std::string_view bytes;
@@ -140,7 +140,8 @@ constexpr Magic kMagics[] = {
      "a program", "name a log"},
 };
 
-/// Forms that begin with letters, as tables do, followed by a non-text byte.
+/// Binary formats that begin with letters, as text tables do. A byte that cannot be text must
+/// follow.
 constexpr Magic kLetteredMagics[] = {
     {0, "LOGG", "a BLF log of a CAN bus by Vector", kDecodeCan},
     {0, "PAR1", "a Parquet table", kParquet},
@@ -155,7 +156,7 @@ bool HasAt(std::string_view text, std::size_t at, std::string_view part) {
   return text.size() >= at && text.substr(at).starts_with(part);
 }
 
-/// A ZIP archive, or a document in that format.
+/// A ZIP archive, or a document format based on ZIP.
 ForeignFile ZipKind(std::string_view first, const fs::path& name) {
   const std::string ending = name.extension().string();
   const auto has = [&](std::string_view part) { return first.find(part) != first.npos; };
@@ -181,7 +182,7 @@ std::string_view FirstLine(std::string_view* rest) {
   return line;
 }
 
-/// The first few words between blanks.
+/// The first few words of a line.
 std::vector<std::string_view> WordsOf(std::string_view line) {
   constexpr std::size_t kMost = 8;
   std::vector<std::string_view> words;
@@ -200,8 +201,8 @@ bool IsMadeOf(std::string_view text, std::string_view characters) {
 }
 constexpr std::string_view kHex = "0123456789abcdefABCDEF";
 
-/// A frame in candump's format: "(1436509052.249713) can0 044#2A366C2BBA", or "can0 044 [2] 2A 36",
-/// with an optional time.
+/// True for a line in candump format: "(1436509052.249713) can0 044#2A366C2BBA", or "can0 044 [2]
+/// 2A 36". The time is optional.
 bool IsCandumpLine(std::string_view line) {
   std::vector<std::string_view> words = WordsOf(line);
   if (!words.empty() && words[0].starts_with('(') && words[0].ends_with(')')) {
@@ -215,14 +216,14 @@ bool IsCandumpLine(std::string_view line) {
          IsMadeOf(words[2].substr(1, words[2].size() - 2), kHex);
 }
 
-/// Column names of a table of undecoded CAN frames (python-can, SavvyCAN).
+/// True for the column names of a table of undecoded CAN frames (python-can, SavvyCAN).
 bool NamesCanFrames(std::string_view line) {
   const std::string lower = LowerCase(std::string(line));
   const auto has = [&](std::string_view name) { return lower.find(name) != std::string::npos; };
   return (has("arbitration_id") && has("data")) || (has("id,extended") && has(",len,d1"));
 }
 
-/// Forms identified by a text's first lines.
+/// Formats recognised by the first lines of a text.
 std::optional<ForeignFile> TextKind(std::string_view first) {
   if (first.starts_with("\xef\xbb\xbf")) first.remove_prefix(3);
   const std::size_t begin = first.find_first_not_of(" \t\r\n");
@@ -294,7 +295,7 @@ std::optional<ForeignFile> ForeignFileOf(std::string_view first, const fs::path&
 std::optional<ForeignFile> ForeignFileOf(const fs::path& file) {
   std::error_code ignored;
   const auto kind = fs::status(file, ignored).type();
-  // A pipe can be read only once, and a folder not at all.
+  // Only regular files are inspected: a pipe can be read only once, and a folder not at all.
   if (kind != fs::file_type::regular && kind != fs::file_type::not_found) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) FailFile(file, "reading", errno);

@@ -6,7 +6,7 @@
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 
-// Gyroscopes with one, two or three axes.
+// Imports gyroscopes with one, two or three axes.
 
 namespace tera {
 namespace {

@@ -22,7 +22,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEpoch_s = 1e8;  ///< greater times count from an epoch, not from a start
+constexpr double kEpoch_s = 1e8;  ///< greater times, in s, count from an epoch
 
 Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, UnpackedFiles* unpacked) {
   Mapping mapping{.options = options, .unpacked = unpacked};
@@ -34,10 +34,10 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
     top.Fault("machine", "'truth' is a folder that every recording has; choose another");
   }
   for (const char* shared : {"file", "time", "csv", "talker"})
-    top.Has(shared);  // each channel may have its own
+    top.Has(shared);  // marks the key as known; each channel may override it
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
   mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
-  top.Has("machine_model");  // read later, by encoders that need it
+  top.Has("machine_model");  // marks the key as known; encoders read it when they need it
   if (const auto origin = top.OptionalMap("origin")) {
     mapping.info.origin_lat_deg = origin->Number("lat_deg", Between(-90, 90, "deg"));
     mapping.info.origin_lon_deg = origin->Number("lon_deg", Between(-180, 180, "deg"));
@@ -77,15 +77,15 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   return mapping;
 }
 
-/// Zero of the recording, in the files' times.
+/// Time 0 of the recording, in the time of the files.
 struct FoundZero {
   TimeNs zero_ns = 0;
-  ClockScale clock = ClockScale::kUnknown;  ///< common to all files
+  ClockScale clock = ClockScale::kUnknown;  ///< time scale common to all files
 };
 
-/// Earliest time of all imported rows; 0 without rows.
+/// Earliest time of all imported rows; 0 if there are none.
 FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
-  // Rows can be rejected until their channel is read.
+  // A dry run is necessary, because a row may be rejected when its channel is read.
   ImportRun run(options, nullptr, 0);
   for (const ImportJob& job : mapping.jobs) job(&run);
   const ClockScale clock = run.Clock();
@@ -97,7 +97,7 @@ FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
   return {first_ns.value_or(0), clock};
 }
 
-/// Epoch of the recording's zero, from the mapping or else from the size of the files' times.
+/// Epoch of the recording, from the mapping or else from the magnitude of the files' times.
 std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& zero) {
   if (mapping.epoch) {
     return RecordingEpoch{mapping.epoch->since_1970_ns + zero.zero_ns, mapping.epoch->clock};
@@ -106,8 +106,8 @@ std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& z
   return RecordingEpoch{zero.zero_ns, zero.clock};
 }
 
-/// Throws where the mapping's epoch contradicts the files' times, or where dataset.yaml could not
-/// read it back.
+/// Throws InputError if the mapping's epoch contradicts the times of the files, or if dataset.yaml
+/// could not represent the epoch.
 void RequireReadableEpoch(const ConfigMap& top, const Mapping& mapping, const FoundZero& zero,
                           const std::optional<RecordingEpoch>& epoch) {
   if (!epoch) return;
@@ -180,7 +180,7 @@ bool NamesAMachine(const std::filesystem::path& mapping) {
   return false;
 }
 
-/// Throws where a log is given in place of a mapping, a frequent mistake of beginners.
+/// Throws InputError if a log is given instead of a mapping, a frequent mistake.
 void RequireNoLog(const std::filesystem::path& mapping) {
   const std::string ending = LowerCase(mapping.extension().string());
   const bool is_yaml = ending == ".yaml" || ending == ".yml" || ending == ".json";

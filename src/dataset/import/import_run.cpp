@@ -39,7 +39,7 @@ void Describe(const std::vector<TimeNs>& t_ns, ImportedChannel* channel) {
   channel->irregular = early_or_late;
 }
 
-/// The rate at the median interval, which gaps do not change; 0 without an interval.
+/// Rate from the median interval, so gaps do not change it; 0 without an interval.
 double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   std::vector<TimeNs> intervals_ns;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -49,8 +49,8 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   return 1.0 / ToSeconds(Median(std::move(intervals_ns)));
 }
 
-/// The time scale of a file. Receivers' logs, dates and weeks of GPS time are read as UTC. The
-/// clock of a bag, or of numbers in a table, is unknown.
+/// Time scale of a file. Logs of receivers, dates and GPS weeks are converted to UTC. The clock of
+/// a bag, or of numbers in a table, is unknown.
 ClockScale ClockOf(const RowSource& source) {
   const RowTime::Form form = source.time.form;
   if (form == RowTime::Form::kDate || form == RowTime::Form::kGpsWeek) return ClockScale::kUtc;
@@ -108,7 +108,8 @@ ImportedChannel* ImportRun::AddFrames(const std::string& path, const std::string
 
 void ImportRun::AddMotion(const RowSource& source, std::vector<MotionSeries> series) {
   if (series.empty()) return;
-  const std::string topic = source.topic ? source.topic->name : "";  // a ULog has one clock
+  // empty for a ULog, whose topics share one clock
+  const std::string topic = source.topic ? source.topic->name : "";
   const std::vector<std::string> columns = source.time.Columns();
   const std::string time = columns.empty() ? "by interval" : columns.front();
   motions_.push_back({.path = last()->path,
@@ -151,7 +152,7 @@ ColumnKeys::ColumnKeys(const ConfigMap& channel, const RowSource& source, std::s
     return;
   }
   if (!source.topic && !StandardColumnOf(type_, key)) {
-    channel.Map("columns");  // is missing
+    channel.Map("columns");  // reports that it is missing
   } else if (!type_.empty() && !StandardColumnOf(type_, key)) {
     channel.Fault("topic", fmt::format("is of {}; need {}, or 'columns' that say which fields are "
                                        "what",

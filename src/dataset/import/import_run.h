@@ -17,34 +17,34 @@
 
 namespace tera {
 
-/// A running import.
 class ImportRun {
  public:
   ImportRun(const ImportOptions& options, DatasetWriter* writer, TimeNs zero_ns)
       : options_(options), writer_(writer), zero_ns_(zero_ns) {}
 
-  /// Throws InputError for an impossible row.
+  /// Checks a row; throws InputError for physically impossible values.
   using RowCheck = std::function<void(const MappedRow& row)>;
 
-  /// Reads the rows of a channel and adds the channel to the report.
+  /// Reads all rows of a channel and adds the channel to the report.
   std::vector<MappedRow> Read(const std::string& path, const RowSource& source,
                               const std::vector<ColumnMapping>& columns,
                               const RowCheck& check = nullptr);
-  /// Adds a channel of frames read elsewhere to the report, by their times in the recording.
+  /// Adds a channel of frames to the report. The caller has read the frames; `t_ns` are their times
+  /// in the recording.
   ImportedChannel* AddFrames(const std::string& path, const std::string& file,
                              const std::vector<TimeNs>& t_ns, const LeftOutRows& left_out);
-  /// The report's entry of the channel that was read last.
+  /// Report entry of the channel that was read last.
   ImportedChannel* last() { return &report_.channels.back(); }
-  /// Adds the motion series of the latest channel from Read, for the comparison of clocks.
+  /// Adds the motion series of the channel last read, for the comparison of clocks.
   void AddMotion(const RowSource& source, std::vector<MotionSeries> series);
-  /// Null for an import that writes nothing.
+  /// Null for a check that writes nothing.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
-  /// The recording's zero in the files' times.
+  /// Time 0 of the recording, in the time of the files.
   TimeNs zero_ns() const { return zero_ns_; }
-  /// The time scale common to all clocks read, where known.
+  /// Time scale common to all clocks read so far; kUnknown if they differ or any is unknown.
   ClockScale Clock() const;
-  /// With the comparison of clocks.
+  /// Compares the clocks and returns the report.
   ImportReport TakeReport();
 
  private:
@@ -56,54 +56,56 @@ class ImportRun {
   std::set<ClockScale> clocks_;
 };
 
-/// Writes one channel; created while the mapping is read, run once the mapping is sound.
+/// Imports one channel. It is created while the mapping is read, and runs after the mapping has
+/// proved valid.
 using ImportJob = std::function<void(ImportRun*)>;
 
 struct Mapping {
   DatasetInfo info;
   std::string machine;
-  std::set<std::string> paths;  ///< of channels
+  std::set<std::string> paths;  ///< paths of the channels
   std::vector<ImportJob> jobs;
-  bool starts_at_zero = false;          ///< times count from the first measurement
-  std::optional<RecordingEpoch> epoch;  ///< instant at which the files' times are 0, if the mapping
-                                        ///< has it
+  bool starts_at_zero = false;          ///< time 0 of the recording is the first measurement
+  std::optional<RecordingEpoch> epoch;  ///< date at which the time of the files is 0; absent if the
+                                        ///< mapping does not give it
   const ImportOptions& options;
   UnpackedFiles* unpacked;
 };
 
-/// The path of the channel named by `name`, in the machine's folder, with `ending`.
+/// Path of a channel: the machine's folder, the value of `name`, and `ending`.
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
 
-/// The columns of a channel: from its `columns:`. Missing ones come from the fields of the topic's
-/// standard type or of the log's known form.
+/// Columns of a channel, from its key `columns`. A column that is absent there is taken from the
+/// standard fields of the topic's message type or the log's format.
 class ColumnKeys {
  public:
-  /// `makes` is the type whose fields form such channels, if it has one for `key`.
+  /// `makes` is a message type that can form this kind of channel. Standard fields are used only if
+  /// this message type has a standard field for `key`.
   ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
              std::string_view key);
 
   ColumnMapping Read(const char* key, Dimension dimension, const Range& allowed = {}) const;
-  /// The key's mapping, if the channel has it.
+  /// Mapping of the key, if the channel gives one.
   std::optional<ConfigMap> Given(const char* key) const;
 
  private:
   std::optional<ConfigMap> given_;
-  std::string type_;     ///< of the topic or the log
-  std::string element_;  ///< of the source
+  std::string type_;     ///< type of the topic or log
+  std::string element_;  ///< path prefix within a message, as in RowSource::element
 };
 
 /// Content of sensor.yaml for an imported sensor.
 struct ImportedSensor {
   std::string type, name;
-  std::string link;  ///< empty if the mapping does not name the sensor's link
+  std::string link;  ///< link that carries the sensor; empty if unknown
   Pose X_LS = Pose::Identity();
 };
-/// Reads a channel's `name` and `mount`.
+/// Reads the keys `name` and `mount` of a channel.
 ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type);
 std::string SensorText(const ImportedSensor& sensor, const RowSource& source,
                        const std::vector<MappedRow>& rows);
 
-// Channels by the keys of the mapping.
+// One function per key of the mapping.
 ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 ImportJob ReadGyro(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);

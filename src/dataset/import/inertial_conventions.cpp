@@ -12,21 +12,22 @@
 namespace tera {
 namespace {
 
-constexpr double kMostGravityFree = 0.2;  ///< median, as a share of gravity
-/// Gravity in g: a magnitude near one, above half of it in nine of ten samples.
+constexpr double kMostGravityFree = 0.2;  ///< fraction of gravity that the median stays below
+/// Acceleration in g: the median is within kAboutOne of 1, and nine tenths of the samples exceed
+/// kHalfOfOne.
 constexpr double kAboutOne = 0.3, kHalfOfOne = 0.5, kTenth = 0.1;
 constexpr double kNearDown_rad = 25 * kDeg, kMostlyDown_rad = 60 * kDeg, kMostly = 0.9;
 constexpr TimeNs kPiece_ns = kNsPerSecond / 4;
 constexpr std::size_t kPiecesOfSpan = 8, kFewestSpans = 8;
 constexpr double kSeenTurn_rad = 5 * kDeg, kSureTurn_rad = 20 * kDeg;
-constexpr double kNearRatio = 3;  ///< as a factor
+constexpr double kNearRatio = 3;  ///< a factor
 constexpr double kShareOfFast = 0.1;
 
 double AngleBetweenDirections(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A quarter of a second: the mean specific force, and the integral of the rates.
+/// Mean specific force and integrated rates over a quarter of a second.
 struct Piece {
   TimeNs begin_ns = 0;
   Vec3 f_mps2 = Vec3::Zero();
@@ -55,14 +56,14 @@ std::vector<Piece> PiecesOf(const std::vector<ImuSample>& samples) {
   return pieces;
 }
 
-/// Median ratio between the turn by the rates and that of gravity, over spans in which gravity
-/// turns by at least `least_rad`; 0 if there are too few.
+/// Median ratio of the rotation by rates to the rotation of gravity, over spans in which gravity
+/// rotates by at least `least_rad`; 0 if there are too few spans.
 double TurnRatio(const std::vector<Piece>& pieces, double least_rad) {
   std::vector<double> ratios;
   for (std::size_t k = 0; k + kPiecesOfSpan < pieces.size(); ++k) {
     const Piece &first = pieces[k], &last = pieces[k + kPiecesOfSpan];
     constexpr TimeNs kLongest_ns = 2 * static_cast<TimeNs>(kPiecesOfSpan) * kPiece_ns;
-    if (last.begin_ns - first.begin_ns > kLongest_ns) continue;  // missing rows
+    if (last.begin_ns - first.begin_ns > kLongest_ns) continue;  // rows are missing
     const double turn_rad = AngleBetweenDirections(first.f_mps2, last.f_mps2);
     if (turn_rad < least_rad) continue;
     double across_rad = 0;
@@ -169,7 +170,7 @@ std::vector<InertialFinding> JudgeLogged(std::size_t count,
   struct Side {
     const char* axis;
     Vec3 up;
-    const char* rpy_deg;  ///< rotation that makes it z
+    const char* rpy_deg;  ///< rotation that makes z vertical
   };
   const std::vector<ImuSample> samples = SamplesOf(count, sample);
   if (IsInG(samples)) {

@@ -67,7 +67,7 @@ class JoinedTables final : public RowTable {
     const auto next = std::upper_bound(firsts_.begin(), firsts_.end(), row);
     return static_cast<std::size_t>(next - firsts_.begin()) - 1;
   }
-  /// The file's table; `row` becomes the row in it.
+  /// The table that contains the row; `row` becomes the index within that table.
   const CsvFile& TableOf(std::size_t* row) const {
     const std::size_t file = FileOf(*row);
     *row -= firsts_[file];

@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// Unreadable rows that were left out of a file.
+/// Count of unreadable rows that were skipped in a file.
 struct LeftOutRows {
   std::int64_t count = 0;
-  std::string first;  ///< fault of the first row, with its place
+  std::string first;  ///< message about the first of them, with its place
 
   void Add(const std::string& fault) {
     if (count++ == 0) first = fault;

@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr TimeNs kDayNs = 86'400 * kNsPerSecond, kWeekNs = 7 * kDayNs;
-constexpr double kFarthest_s = 9e9;  // limit of nanoseconds in 64 bits
+constexpr double kFarthest_s = 9e9;  // range of 64-bit nanoseconds
 
 constexpr const char* kNeedDate =
     "need a date and a time of day as of ISO 8601, 2026-11-28T12:34:56.789Z; where day or month "
@@ -28,7 +28,7 @@ std::optional<DateOrder> ReadDateOrder(const ConfigMap& time) {
                           : DateOrder::kMonthFirst;
 }
 
-/// Local time minus UTC for texts without a zone.
+/// Local time minus UTC for texts without a time zone.
 TimeNs ReadZone(const ConfigMap& time) {
   const std::string zone = time.Text("zone", "Z");
   const auto midnight = ClockTimeOf("00:00:00 " + zone);
@@ -211,7 +211,8 @@ TimeNs RowTimes::OfDate(std::size_t row) const {
   const auto date = CalendarTimeOf(TextAt(row, place, kNeedDate), time_.order);
   if (!date) table_.Fail(row, place, {FaultKind::kMistyped, kNeedDate});
   if (!time_.clock.empty()) {
-    // The first of two columns may have its own midnight, and the zone of both.
+    // The date column may contain a time of day at midnight, and a time zone that holds for both
+    // columns.
     const TimeNs local_ns = date->t_ns + date->ahead_ns;
     return local_ns / kDayNs * kDayNs +
            ClockAt(row, places_[1], date->has_zone ? date->ahead_ns : time_.ahead_ns);

@@ -15,78 +15,79 @@
 
 namespace tera {
 
-/// Definition of a table's row times, from a mapping's `time:`.
+/// Source of the row times, from the key `time` of a mapping.
 struct RowTime {
   enum class Form {
-    kNumber,    ///< `number` gives seconds, or is a column of stamps
-    kInterval,  ///< the first row is at `number`, a constant; each next one `interval_s` later
-    kDate,      ///< dates in `date`, with the time of day in `clock` unless that is empty
-    kClock,     ///< times of day in `clock`; one that goes back by half a day is of the next day
-    kGpsWeek,   ///< `number` gives seconds of the week of GPS time in `week`
+    kNumber,    ///< `number` is in seconds or is a column of stamps
+    kInterval,  ///< the first row is at the constant `number`, and each next row `interval_s` later
+    kDate,      ///< a date in column `date`; the time of day is there too or in column `clock`
+    kClock,  ///< a time of day in column `clock`; a step back by half a day or more starts the next
+             ///< day
+    kGpsWeek,  ///< GPS week in column `week`; `number` is in seconds of the week
   };
   Form form = Form::kNumber;
   ColumnMapping number;
   double interval_s = 0;
   std::string date, clock, week;
   std::optional<DateOrder> order;
-  double wraps_at = 0;   ///< number at which the column wraps to 0; 0: no wrap
-  TimeNs ahead_ns = 0;   ///< local time minus UTC, for texts without a zone
-  TimeNs offset_ns = 0;  ///< for all forms except numbers, which have their own
+  double wraps_at = 0;   ///< value at which the column wraps to 0; 0: it does not wrap
+  TimeNs ahead_ns = 0;   ///< local time minus UTC, for texts without a time zone
+  TimeNs offset_ns = 0;  ///< added to all forms except kNumber, whose ColumnMapping has an offset
 
-  /// All columns of the time.
   std::vector<std::string> Columns() const;
 };
 
-/// The period of a counter that wraps to 0, if `after` then follows `before` by about `step`.
-/// Candidates are 2^16, 2^24, 2^31 or 2^32 of its units or of thousandths or millionths of these,
-/// an hour, a day or a week. Nothing if none fits.
+/// Guesses the period of a counter that wraps to 0. Returns the period for which `after` follows
+/// `before` by about `step`; nullopt if none fits. Candidates are 2^16, 2^24, 2^31 and 2^32 units,
+/// or 2^16, 2^31 and 2^32 thousandths or millionths of a unit; also a minute, an hour, a day and a
+/// week.
 std::optional<double> TurnOfCounter(double before, double after, double step);
 
-/// Reads `{column:, unit:, scale:, offset:, wraps_at:}`, `{sum:}`, `{interval:, unit:, offset:}`,
-/// `{date:, clock:, order:, zone:, offset:}` or `{week:, column:, unit:, offset:}`. A column of
-/// stamps, in bags and logs of known form (`has_stamps`), needs no unit.
+/// Reads one of the forms `{column:, unit:, scale:, offset:, wraps_at:}`, `{sum:}`, `{interval:,
+/// unit:, offset:}`, `{date:, clock:, order:, zone:, offset:}` and `{week:, column:, unit:,
+/// offset:}`. With `has_stamps`, a column of stamps needs no unit. Bags and logs of known format
+/// have such columns.
 RowTime ReadRowTime(const ConfigMap& time, bool has_stamps);
 
-/// Whether a mapping's `time` is still to be filled in, as in a suggestion for an unknown time. A
-/// mapping with it is faulty.
+/// True if `time` is still the placeholder that a suggested mapping contains for an unknown time.
+/// Such a mapping cannot be imported.
 bool IsTimeToFillIn(const ConfigMap& holder);
 
-/// Times of the rows of one table.
 class RowTimes {
  public:
-  /// Times of day count days, and wrapping counters count periods, over the rows that `counts`
-  /// selects, or over all rows. Throws InputError for a missing column.
+  /// Only rows for which `counts` is true advance the count of days or counter periods; without
+  /// `counts`, all rows do. Throws InputError for a missing column.
   RowTimes(const RowTable& table, const RowTime& time,
            const std::function<bool(std::size_t row)>& counts = nullptr);
 
-  /// The time of a row: exact for stamps, calendar texts and plain digits, else within a double's
-  /// precision. Throws InputError for a row without a time.
+  /// Time of a row. It is exact for stamps, calendar texts and plain digits, and otherwise has
+  /// double precision. Throws InputError if the row has no time.
   TimeNs At(std::size_t row) const;
-  /// TurnOfCounter of a one-column time that goes back after `before_ns`.
+  /// TurnOfCounter for a row whose time is before `before_ns`, if the time is a single column.
   std::optional<double> TurnAt(std::size_t row, TimeNs before_ns, TimeNs step_ns) const;
-  /// The column to name for an unsuitable time.
+  /// Column that messages name for an unsuitable time.
   std::size_t place() const { return places_.empty() ? 0 : places_.front(); }
 
  private:
-  /// The time without wraps.
+  /// Time of a row before periods of a wrapping counter are added.
   TimeNs WithoutTurns(std::size_t row) const;
   TimeNs OfNumber(std::size_t row) const;
   TimeNs OfDate(std::size_t row) const;
   TimeNs OfGpsWeek(std::size_t row) const;
   TimeNs ClockAt(std::size_t row, std::size_t place, TimeNs ahead_ns) const;
-  /// Refuses a calendar text in place of a number with its own message.
+  /// Throws InputError if the field is a calendar text although a number is needed.
   void RefuseTextOfCalendar(std::size_t row, std::size_t place) const;
   std::string_view TextAt(std::size_t row, std::size_t place, const char* need) const;
-  /// The time within its period, for wrapping times; nothing for a row without a time.
+  /// Time of a wrapping counter within its period; nullopt for a row without a time.
   std::optional<TimeNs> WithinTurn(std::size_t row) const;
   void CountTurns(const std::function<bool(std::size_t row)>& counts);
 
   const RowTable& table_;
   const RowTime& time_;
   MappedColumn number_;
-  std::vector<std::size_t> places_;   ///< indices of the columns of `time_`
-  TimeNs turn_ns_ = 0;                ///< period of wrapping times; 0: no wrap
-  std::vector<std::uint32_t> turns_;  ///< periods since the first row
+  std::vector<std::size_t> places_;   ///< indices of the columns that `time_` uses
+  TimeNs turn_ns_ = 0;                ///< period of a wrapping counter; 0: no wrap
+  std::vector<std::uint32_t> turns_;  ///< number of periods since the first row, per row
 };
 
 }  // namespace tera

@@ -15,13 +15,13 @@
 #include "dataset/import/import_run.h"
 #include "dataset/import/inertial_conventions.h"
 
-// Inertial units, receivers, poses and tables of a mapping.
+// Imports IMUs, receivers, poses and tables.
 
 namespace tera {
 namespace {
 
 constexpr double kMinQuaternionNorm = 0.9, kMaxQuaternionNorm = 1.1;
-constexpr double kNearlyFull = 1e-4;  ///< rounding tolerance beyond full lever
+constexpr double kNearlyFull = 1e-4;  ///< excess over full deflection that counts as rounding
 
 std::vector<ColumnMapping> ReadColumns(const ColumnKeys& columns,
                                        const std::vector<const char*>& keys, Dimension dimension,
@@ -35,13 +35,13 @@ void Append(const std::vector<ColumnMapping>& more, std::vector<ColumnMapping>* 
   all->insert(all->end(), more.begin(), more.end());
 }
 
-/// Rotation R_SF of the file's axes F in the sensor frame S, from `rpy_deg`.
+/// Rotation R_SF of the axes F of the file in the sensor frame S, from `rpy_deg`.
 Mat3 ReadAxes(const ConfigMap& config) {
   const Vec3 rpy_rad = config.Vector3("rpy_deg", Between(-360, 360, "deg"), Vec3::Zero()) * kDeg;
   return RotationFromRpy(rpy_rad.x(), rpy_rad.y(), rpy_rad.z());
 }
 
-/// `fix:` as a GGA quality.
+/// Reads the key `fix`, a GGA quality.
 ColumnMapping ReadFix(const ConfigMap& config) {
   const ColumnMapping fix = ReadColumnMapping(config, Dimension::kNone);
   if (config.Has("constant") && !FixOfQuality(fix.offset)) {
@@ -53,16 +53,17 @@ ColumnMapping ReadFix(const ConfigMap& config) {
 /// Columns of a receiver, in this order.
 enum GnssColumn { kLat, kLon, kAlt, kFix, kVarE, kVarN, kVarU, kCovarianceType };
 
-/// Interpretation of a receiver's fix column.
+/// Interpretation of the fix column of a receiver.
 struct FixReading {
-  bool by_status = false;         ///< by the status of a NavSatFix, else as a GGA quality
-  bool needs_covariance = false;  ///< a kCovarianceType of 0 means no variances
+  bool by_status = false;         ///< as the status of a NavSatFix; otherwise as a GGA quality
+  bool needs_covariance = false;  ///< kCovarianceType 0 means that there are no variances
 };
 
-/// GGA quality of a NavSatFix. Ground-based augmentation is RTK, fixed if the variance is small
-/// enough.
+/// GGA quality of a NavSatFix. Ground-based augmentation is RTK: fixed if the variance is small
+/// enough, otherwise float.
 double QualityOfStatus(const std::vector<double>& v) {
-  constexpr double kMostOfFixed_m = 0.1;  // one sigma of the horizontal; between 0.02 and 0.3
+  constexpr double kMostOfFixed_m = 0.1;  // one sigma of the horizontal position; RTK fixed is near
+                                          // 0.02 m, RTK float near 0.3 m
   const double status = v[kFix];
   if (status != 2) return status < 0 ? 0 : status + 1;
   return v[kVarE] + v[kVarN] <= kMostOfFixed_m * kMostOfFixed_m ? 4 : 5;
@@ -88,7 +89,7 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   }
 }
 
-/// East, north and up belong to one site, within the validity of its tangent plane.
+/// ENU coordinates are valid only near the site. Throws InputError for a distant position.
 void RequireNear(const GnssSample& sample, const std::string& where) {
   constexpr double kFarthest_m = 100e3;
   if (sample.enu_m.norm() <= kFarthest_m) return;
@@ -102,7 +103,7 @@ void RequireNear(const GnssSample& sample, const std::string& where) {
                           sample.lon_deg, sample.alt_m)});
 }
 
-/// Receivers without a fix write 0, 0, where no machine digs.
+/// Receivers without a fix write latitude 0, longitude 0, where no machine works.
 bool IsAtZero(const MappedRow& row) { return row.values[kLat] == 0 && row.values[kLon] == 0; }
 
 GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReading& reading,
@@ -147,7 +148,7 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
 }
 
-/// Clamps levers that exceed full by rounding, and counts all beyond full.
+/// Clamps levers that exceed full deflection by rounding. Counts those and larger excesses.
 void ClampLevers(std::vector<MappedRow>* rows, ImportedChannel* channel) {
   for (MappedRow& row : *rows) {
     for (double& lever : row.values) {
@@ -247,7 +248,7 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   };
 }
 
-/// Frames of a recorded pose: X_WB = X_WR * X_RF * X_FB with the file's X_RF.
+/// Converts frames of a recorded pose: X_WB = X_WR * X_RF * X_FB, where the file gives X_RF.
 ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const auto world = config.OptionalMap("world");
@@ -275,19 +276,21 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
 
 namespace {
 
-/// Columns of a table from one topic or file, and their positions in the table.
+/// Columns of a table that come from one topic or file, and their positions in the table.
 struct TablePart {
   RowSource source;
   std::vector<ColumnMapping> columns;
   std::vector<std::size_t> places;
 };
 
-/// The merged rows of all parts: one at each time of any part, with the latest values of the
-/// others. The first row is at the time when every part has a value.
+/// Merges the rows of all parts. There is one row for each time at which any part has a row, with
+/// the latest values of the other parts. The first row is at the first time when every part has a
+/// value.
 std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
                                     const std::vector<std::vector<MappedRow>>& rows,
                                     std::size_t width) {
-  std::map<TimeNs, std::vector<std::pair<std::size_t, std::size_t>>> said;  // part and row
+  // pairs of part and row, by time
+  std::map<TimeNs, std::vector<std::pair<std::size_t, std::size_t>>> said;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     for (std::size_t r = 0; r < rows[p].size(); ++r) said[rows[p][r].t_ns].emplace_back(p, r);
   }
@@ -308,8 +311,8 @@ std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
   return together;
 }
 
-/// The sources of a table's columns: one for all columns from the table's own file or topic, and
-/// one more for each column that names a topic.
+/// Sources of a table's columns: one for the columns from the table's own file or topic, and one
+/// for each column that names a topic.
 std::vector<TablePart> ReadTableParts(const ConfigMap& config, const ConfigMap& top,
                                       const Mapping& mapping, std::vector<std::string>* names) {
   std::vector<TablePart> parts;

@@ -21,7 +21,7 @@ namespace {
 
 bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Natural order: "2.pcd" before "10.pcd".
+/// Natural order: "2.pcd" comes before "10.pcd".
 bool IsBefore(const fs::path& a_path, const fs::path& b_path) {
   const std::string a = a_path.filename().string(), b = b_path.filename().string();
   std::size_t i = 0, j = 0;
@@ -57,8 +57,8 @@ std::vector<fs::path> FilesIn(const fs::path& folder,
   return files;
 }
 
-/// Times of frames, one on each line: seconds (1403636579.763555), ns for an integer above 1e17, or
-/// a date with a time of day, as KITTI writes.
+/// Times of frames, one per line: seconds (1403636579.763555), ns if an integer exceeds 1e17, or a
+/// date with a time of day as in KITTI.
 std::vector<TimeNs> ReadFrameTimes(const fs::path& file) {
   constexpr std::int64_t kNanoseconds = 100'000'000'000'000'000;
   std::istringstream lines(ReadWholeFile(file));
@@ -72,7 +72,7 @@ std::vector<TimeNs> ReadFrameTimes(const fs::path& file) {
     std::optional<TimeNs> t_ns;
     if (whole && *whole >= kNanoseconds) t_ns = *whole;
     if (!t_ns) t_ns = SecondsOfText(line);
-    // KITTI's odometry writes 1.037875e-01.
+    // KITTI odometry writes times such as 1.037875e-01.
     if (const auto seconds = ParseNumber<double>(line); !t_ns && seconds) {
       t_ns = FromSeconds(*seconds);
     }
@@ -89,7 +89,7 @@ std::vector<TimeNs> ReadFrameTimes(const fs::path& file) {
   return times_ns;
 }
 
-/// Reads `times`, or the times in the names.
+/// Reads the file `times`, or else the times in the file names.
 std::vector<TimeNs> TimesOfFiles(const ConfigMap& channel, const std::vector<fs::path>& files,
                                  std::string_view of) {
   std::vector<TimeNs> times_ns;
@@ -138,7 +138,7 @@ std::optional<TimeNs> StampOfName(const fs::path& file) {
                                         {10, TimeNs{1'000'000'000}}}) {
     if (name.size() != static_cast<std::size_t>(digits)) continue;
     const TimeNs t_ns = *number * unit_ns;
-    // Smaller numbers, such as 0000000010, are indices of files.
+    // A smaller number, such as 0000000010, is the index of a file.
     return t_ns >= kLeastStamp_s * kNsPerSecond ? std::optional(t_ns) : std::nullopt;
   }
   return std::nullopt;

@@ -56,7 +56,7 @@ std::string OfUtf16(std::string_view bytes, bool big_endian) {
   return text;
 }
 
-/// Whether non-ASCII bytes form UTF-8 characters.
+/// True if all bytes outside ASCII form valid UTF-8 characters.
 bool IsUtf8(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     const unsigned first = ByteAt(bytes, at);
@@ -71,9 +71,9 @@ bool IsUtf8(std::string_view bytes) {
   return true;
 }
 
-/// End of a record with quotes; nothing if a quote is not closed within the limit of a field.
+/// End of a record that contains quotes; nullopt if a quote is not closed within the limit.
 std::optional<std::size_t> EndOfQuotedRecord(std::string_view rest, int* lines) {
-  constexpr int kMostLines = 20;  // beyond it the quote is an inch sign or a mistake
+  constexpr int kMostLines = 20;  // lines; a longer quote is an inch sign or a mistake
   bool quoted = false, at_start = true;
   *lines = 1;
   for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -84,7 +84,7 @@ std::optional<std::size_t> EndOfQuotedRecord(std::string_view rest, int* lines) 
     if (quoted) {
       quoted = c != '"';
     } else if (c == '"') {
-      // A second quote after a closing one is a literal quote and reopens.
+      // Two quotes in a row stand for a literal quote.
       quoted = at_start || (k > 0 && rest[k - 1] == '"');
     }
     at_start = kSeparatorsOfTables.find(c) != kSeparatorsOfTables.npos || c == '\n' ||
@@ -108,7 +108,7 @@ std::string DecodedTable(std::string bytes) {
   if (bytes.starts_with(kMark)) {
     bytes.erase(0, kMark.size());
   } else if (bytes.size() >= 4) {
-    // A table begins with ASCII characters, whose UTF-16 has one zero byte.
+    // A table begins with ASCII characters. In UTF-16 each of them contains a zero byte.
     const bool is_little = bytes.starts_with("\xff\xfe") || (bytes[1] == 0 && bytes[3] == 0);
     const bool is_big = bytes.starts_with("\xfe\xff") || (bytes[0] == 0 && bytes[2] == 0);
     if (is_little != is_big) bytes = OfUtf16(bytes, is_big);
@@ -187,15 +187,15 @@ std::string_view PlainNumberText(std::string_view field, const NumberForm& form,
                                  std::string* room) {
   if (field.starts_with('+')) field.remove_prefix(1);
   if (form.is_plain()) return field;
-  // The thousands separator may be a no-break space, of two or three bytes in UTF-8.
+  // The thousands separator may be a no-break space, which has two or three bytes in UTF-8.
   constexpr std::string_view kNoBreak = "\xc2\xa0", kNarrow = "\xe2\x80\xaf";
   room->clear();
   bool before_decimal = true, is_grouped = false;
-  int group = 0;  // digits after the last thousands separator
+  int group = 0;  // number of digits since the last thousands separator
   const auto group_is_whole = [&] { return !is_grouped || group == 3; };
   for (std::size_t k = 0; k < field.size(); ++k) {
     const std::string_view here = field.substr(k);
-    std::size_t gap = 0;  // bytes of a thousands separator
+    std::size_t gap = 0;  // bytes of a thousands separator at this place
     if (before_decimal && form.thousands != 0) {
       gap = field[k] == form.thousands                            ? 1
             : form.thousands == ' ' && here.starts_with(kNoBreak) ? kNoBreak.size()

@@ -5,46 +5,45 @@
 #include <string_view>
 #include <vector>
 
-/// Text of a foreign table: its characters, records, fields and numbers.
+/// Text of a table: characters, records, fields and numbers.
 
 namespace tera {
 
-/// A file's text as UTF-8 with '\n' or "\r\n" line ends. UTF-16 is identified by its byte order
-/// mark or by the zero bytes of its first characters. Other bytes than UTF-8 are ISO 8859-1, where
-/// 0xb0 is the degree sign. Byte order marks are removed.
+/// Converts the content of a file to UTF-8, with '\n' or "\r\n" as line ends. UTF-16 is recognised
+/// by its byte order mark or by zero bytes among the first characters. Text that is not valid UTF-8
+/// is read as ISO 8859-1, where 0xb0 is the degree sign. Byte order marks are removed.
 std::string DecodedTable(std::string bytes);
 
-/// Takes the next record off `rest`, without its end, and counts its lines: more than one if a
-/// quoted field contains line ends.
+/// Removes the next record from `rest` and returns it without its line end. `lines` receives its
+/// number of lines, which exceeds one if a quoted field contains line ends.
 std::string_view TakeRecord(std::string_view* rest, int* lines);
 
-/// Fields of a record, without surrounding blanks and quotes. Any number of blanks is one
-/// separator; other separators do not count within quotes.
+/// Fields of a record, without surrounding blanks and quotes. With a blank as separator, several
+/// blanks count as one. Separators within quotes do not count.
 std::vector<std::string_view> FieldsOfRecord(std::string_view record, char separator);
 
-/// The first of tab, semicolon, bar, comma and blanks that occurs in a line.
+/// The first of tab, semicolon, bar, comma and blank that occurs in the line.
 char SeparatorOfLine(std::string_view line);
 
 /// The text without blanks at both ends.
 std::string_view TrimmedText(std::string_view text);
 
-/// Whether a trimmed record is a remark: it begins with '#' or '%'.
+/// True for a comment: a trimmed record that begins with '#' or '%'.
 bool IsRemark(std::string_view record);
 
-/// Notation of numbers.
 struct NumberForm {
   char decimal = '.';
   char thousands = 0;  ///< thousands separator; 0: none
   bool is_plain() const { return decimal == '.' && thousands == 0; }
 };
 
-/// The number with a decimal point; `room` is storage for a converted notation.
+/// The number with a decimal point and without thousands separators. `room` stores the converted
+/// text.
 std::string_view PlainNumberText(std::string_view field, const NumberForm& form, std::string* room);
-/// The finite number of a whole field.
+/// Parses the whole field as a finite number.
 std::optional<double> NumberOfField(std::string_view field, const NumberForm& form);
 
-/// Whether a field is empty, or is a program's word for no number: nan, NULL, N/A, #VALUE!,
-/// 1.#QNAN, --.
+/// True for an empty field and for words that mean no number: nan, NULL, N/A, #VALUE!, 1.#QNAN, --.
 bool SaysNothing(std::string_view field);
 
 }  // namespace tera

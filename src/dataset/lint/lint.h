@@ -14,29 +14,29 @@
 namespace tera {
 
 struct LintOptions {
-  /// Opens one of this many frames of a camera or lidar; all of them must exist.
+  /// One out of this many frames of a camera or lidar is opened. The existence of files is checked
+  /// for every frame.
   int every_frame = 1;
-  /// The lowest height of a ground raster. Without this function poses are not compared with the
+  /// Returns the lowest height in a ground raster. If not set, poses are not compared with the
   /// ground.
   std::function<double(const std::filesystem::path& raster)> lowest_m = {};
 };
 
-/// Place of a fault in a dataset.
 struct LintPlace {
-  std::string file;  ///< relative to the dataset
-  int line = 0;      ///< 0: none, as in a picture
+  std::string file;  ///< path relative to the dataset
+  int line = 0;      ///< 0 if the file has no lines, such as an image
   std::string message;
 };
 
-/// One rule's findings in one channel.
+/// All findings of one rule in one channel.
 struct LintFinding {
   const LintRule* rule = nullptr;
-  std::string channel;            ///< empty: the whole dataset
-  std::int64_t count = 0;         ///< number of places
-  std::vector<LintPlace> places;  ///< the first of them
+  std::string channel;  ///< empty if the finding concerns the whole dataset
+  std::int64_t count = 0;
+  std::vector<LintPlace> places;  ///< the first places
 };
 
-/// Numbers of one channel, for the page of statistics.
+/// Statistics of one channel, for the HTML page.
 struct ChannelStatistics {
   std::string type;
   std::int64_t rows = 0;
@@ -44,12 +44,12 @@ struct ChannelStatistics {
   TimeNs median_interval_ns = 0, longest_interval_ns = 0;
 };
 
-/// Number of observations, and their distance.
+/// Number of occurrences of a class.
 struct ClassStatistics {
   std::int64_t pixels = 0, boxes = 0, points = 0;
 };
 
-/// Ranges of depth pictures and scans in bins of one metre; the last bin includes all larger ones.
+/// Histogram of depths or ranges with bins of 1 m. The last bin contains all larger values.
 using RangeHistogram = std::array<std::int64_t, 66>;
 
 struct DatasetStatistics {
@@ -59,30 +59,29 @@ struct DatasetStatistics {
   std::int64_t pictures = 0, scans = 0, boxes = 0, points = 0;
 };
 
-/// Result of a lint.
 struct LintReport {
   std::filesystem::path dataset;
   std::string name;                             ///< from dataset.yaml
-  std::vector<LintFinding> findings;            ///< worst first, then in order of the rules
-  std::vector<const LintRule*> applied;         ///< rules with data to check
-  std::vector<const LintRule*> not_applicable;  ///< rules without data to check
+  std::vector<LintFinding> findings;            ///< worst first, then in the order of the rules
+  std::vector<const LintRule*> applied;         ///< rules for which the dataset has data
+  std::vector<const LintRule*> not_applicable;  ///< rules for which the dataset has no data
   DatasetStatistics statistics;
 
-  /// Number of findings of a severity, each counted once for all its places.
+  /// Number of findings of this severity; a finding with several places counts once.
   std::int64_t CountOf(Severity severity) const;
 };
 
-/// Checks a complete recording, simulated or real, against the rules. Writes nothing. Memory grows
-/// only by the list of frame times.
+/// Checks a complete recording, simulated or real, against all rules. Does not write files. Memory
+/// use grows only with the number of frames.
 ///
-/// Throws  InputError if `dataset` is no recording or its dataset.yaml cannot be read.
+/// Throws  InputError if `dataset` is not a recording or its dataset.yaml cannot be read.
 LintReport Lint(const std::filesystem::path& dataset, const LintOptions& options = {});
 
-/// File with the hashes of a dataset's files.
+/// File with the SHA-256 of a dataset's files.
 inline constexpr char kFrameHashesName[] = "frames.sha256";
 
-/// Writes frames.sha256: a line for each file of a channel, sorted by name, for `sha256sum -c`.
-/// Returns the number of files. Throws InputError.
+/// Writes frames.sha256, which `sha256sum -c` can check: one line per file of a channel, sorted by
+/// name. Returns the number of files. Throws InputError on failure.
 std::int64_t WriteFrameHashes(const std::filesystem::path& dataset);
 
 }  // namespace tera

@@ -13,7 +13,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Number of listed places of a finding; further ones are only counted.
+/// Number of places listed per finding; further places are only counted.
 constexpr std::size_t kPlacesKept = 5;
 
 std::map<int, std::string> ReadClasses(const fs::path& description) {
@@ -51,7 +51,7 @@ void LintJob::Try(const std::string& channel, const std::function<void()>& check
     check();
   } catch (const InternalError&) {
     throw;
-  } catch (const std::exception& e) {  // a library may throw its own exceptions
+  } catch (const std::exception& e) {  // libraries throw exceptions of their own
     Find("dataset.unchecked", channel, {channel, 0, e.what()});
   }
 }
@@ -60,7 +60,7 @@ std::optional<SensorSheet> LintJob::SheetOf(const std::string& channel) const {
   try {
     return ReadSensorSheet(recording_.directory() / channel);
   } catch (const InputError&) {
-    return std::nullopt;  // files.sheet reports it
+    return std::nullopt;  // reported by files.sheet
   }
 }
 

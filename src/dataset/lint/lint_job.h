@@ -14,7 +14,7 @@
 
 namespace tera {
 
-/// A running lint: the dataset and the findings so far.
+/// State of a running lint: the dataset and the findings so far.
 class LintJob {
  public:
   LintJob(const Recording& recording, const LintOptions& options);
@@ -23,29 +23,29 @@ class LintJob {
   const LintOptions& options() const { return options_; }
   DatasetStatistics& statistics() { return statistics_; }
 
-  /// Marks that a rule has data to check.
+  /// Records that the dataset has data to which a rule applies.
   void Applies(RuleId rule) { applied_.insert(rule.index()); }
   void Find(RuleId rule, const std::string& channel, LintPlace place);
 
-  /// Runs a check of a channel. A read failure becomes a finding, and other checks continue.
+  /// Runs a check of a channel. If the check fails to read data, adds a finding and continues.
   void Try(const std::string& channel, const std::function<void()>& check);
 
-  /// Marks a channel with unreadable rows, which later checks skip.
+  /// Excludes a channel with unreadable rows from later checks.
   void LeaveOut(const std::string& channel) { left_out_.insert(channel); }
   bool IsLeftOut(const std::string& channel) const { return left_out_.contains(channel); }
 
-  /// A sensor's sensor.yaml, if readable.
+  /// Content of the sensor's sensor.yaml; nullopt if unreadable.
   std::optional<SensorSheet> SheetOf(const std::string& channel) const;
-  /// File of a channel's rows, relative to the dataset.
+  /// Path of a channel's rows, relative to the dataset.
   std::string RowsOf(const std::string& channel) const;
   std::filesystem::path Path(const std::string& file) const {
     return recording_.directory() / file;
   }
 
   bool HasClass(int id) const { return class_names_.contains(id); }
-  /// Empty for an id that dataset.yaml does not list.
+  /// Empty if dataset.yaml does not list the id.
   std::string ClassName(int id) const;
-  /// Null for an id that dataset.yaml does not list.
+  /// Null if dataset.yaml does not list the id.
   const DatasetInfo::Instance* InstanceOf(std::uint16_t id) const;
 
   LintReport Report() &&;
@@ -63,11 +63,11 @@ class LintJob {
 
 std::string MachineOfChannel(const std::string& channel);
 
-// The checks, one topic each. They add findings to the job.
-void CheckDescription(LintJob* job);  ///< dataset.*
-void CheckFiles(LintJob* job);        ///< files.* except hashes
-void CheckHashes(LintJob* job);       ///< files.hash
-void CheckRows(LintJob* job);         ///< rows.*, stamps.*
+// The checks. Each covers one topic and adds its findings to the job.
+void CheckDescription(LintJob* job);  ///< rules dataset.*
+void CheckFiles(LintJob* job);        ///< rules files.* except files.hash
+void CheckHashes(LintJob* job);       ///< rule files.hash
+void CheckRows(LintJob* job);         ///< rules rows.* and stamps.*
 void CheckPoses(LintJob* job);
 void CheckCommands(LintJob* job);
 void CheckEncoders(LintJob* job);

@@ -6,14 +6,14 @@
 
 namespace tera {
 
-/// Meaning of a finding for a user of the dataset.
+/// Severity of a finding.
 enum class Severity {
-  kError,    ///< the dataset contradicts docs/reference/dataset.md or itself
-  kWarning,  ///< possibly right, but probably unintended
+  kError,    ///< the dataset violates docs/reference/dataset.md or contradicts itself
+  kWarning,  ///< valid, but probably unintended
   kNote      ///< worth knowing
 };
 
-/// The name of a severity, also used by SARIF: "error", "warning", "note".
+/// Name of a severity, as in SARIF: "error", "warning", "note".
 constexpr std::string_view NameOf(Severity severity) {
   switch (severity) {
     case Severity::kError:
@@ -26,12 +26,12 @@ constexpr std::string_view NameOf(Severity severity) {
   return "note";
 }
 
-/// One rule of `tera lint`. Ids are stable: programs and settings use them.
+/// A rule of `tera lint`. Its id never changes, because programs and settings refer to it.
 struct LintRule {
   std::string_view id;
   Severity severity;
-  std::string_view text;    ///< requirement
-  std::string_view remedy;  ///< advice if it does not hold
+  std::string_view text;    ///< the requirement
+  std::string_view remedy;  ///< advice if the requirement is violated
 };
 
 inline constexpr std::array kLintRules = std::to_array<LintRule>({
@@ -39,78 +39,73 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Each channel of dataset.yaml is a path within the dataset and is listed once.",
      "Correct the list of channels."},
     {"dataset.instances", Severity::kError,
-     "Ids of instances are unique and from 1, their classes stand in the list of classes, and a "
-     "parent is another instance of the list.",
+     "Instance ids are unique and at least 1, classes are listed, and a parent is another listed "
+     "instance.",
      "Correct the list of instances."},
     {"dataset.epoch", Severity::kWarning, "The epoch is later than 1990, in nanoseconds.",
-     "Correct since_1970_ns: of a time in s or ms it has too few digits."},
-    {"dataset.unchecked", Severity::kError, "Every check can read what it needs.",
-     "Put the file right that the message names."},
+     "Correct since_1970_ns: a time in s or ms has too few digits."},
+    {"dataset.unchecked", Severity::kError, "Every check can read its input.",
+     "Correct the file that the message names."},
 
     {"files.missing", Severity::kError,
      "Each channel has its data.csv or table, and each frame that data.csv names has its files.",
-     "Put the file back, or take its row or line out of the list."},
+     "Restore the file, or remove its row or line from the list."},
     {"files.sheet", Severity::kError,
      "Each sensor has a sensor.yaml of the type that dataset.yaml names.",
      "Write sensor.yaml as docs/reference/dataset.md says."},
-    {"files.extra", Severity::kWarning,
-     "The folders of frames hold nothing but the frames that data.csv names.",
-     "Delete what is left over, or list it."},
+    {"files.extra", Severity::kWarning, "Frame folders hold only frames that data.csv lists.",
+     "Delete the extra file, or list it."},
     {"files.unknown", Severity::kWarning,
-     "Every file and folder is one that docs/reference/dataset.md knows.",
+     "docs/reference/dataset.md defines every file and folder.",
      "Move it out of the dataset, or list its channel."},
-    {"files.hash", Severity::kError,
-     "The files are those that frames.sha256 was written of, byte for byte.",
-     "Copy the file again; where the change is meant, delete frames.sha256 and write it anew."},
+    {"files.hash", Severity::kError, "Every file has the digest that frames.sha256 lists.",
+     "Copy the file again; if the change is intended, delete frames.sha256 and write it again."},
 
     {"rows.header", Severity::kError,
      "The first line of a table is t_ns and the columns of the channel's type.",
      "Write the header as docs/reference/dataset.md says."},
     {"rows.fields", Severity::kError,
-     "Each row is whole and has as many numbers as the header has columns.",
-     "Record or copy the file again; a cut last line may be deleted."},
+     "Each row is complete and has one number for each column of the header.",
+     "Record or copy the file again; an incomplete last line may be deleted."},
     {"rows.finite", Severity::kError, "No number is NaN or infinite.",
-     "Leave the row out: where there is no measurement there is no row."},
+     "Remove the row: a missing measurement has no row."},
     {"rows.filename", Severity::kError,
-     "The name of a frame is its t_ns with the ending of its kind.",
-     "Name the frame's files and its row alike."},
+     "The file name of a frame is its t_ns with the extension of its kind.",
+     "Give the frame's files and its row the same t_ns."},
 
-    {"stamps.increasing", Severity::kError, "t_ns grows from row to row.",
-     "Sort the rows and leave out what is there twice."},
+    {"stamps.increasing", Severity::kError, "t_ns increases from row to row.",
+     "Sort the rows and remove duplicates."},
     {"stamps.gap", Severity::kWarning,
-     "Rows follow each other at the rate of sensor.yaml, or of the table's own median, without one "
-     "missing.",
-     "Find what was lost: a full buffer, a bus, a disk."},
-    {"stamps.rate", Severity::kWarning, "The median interval is that of the rate in sensor.yaml.",
+     "No row is missing at the rate of sensor.yaml, or else at the median rate of the table.",
+     "Find the cause of the loss: a full buffer, a bus or a disk."},
+    {"stamps.rate", Severity::kWarning, "The median interval matches the rate in sensor.yaml.",
      "Correct rate_hz, or the unit of the stamps."},
     {"stamps.coverage", Severity::kWarning,
      "Each channel lies within the recording's duration and fills it.",
      "Correct duration_s, or the channel's time base."},
 
     {"places.far", Severity::kWarning, "Poses and fixes lie within 100 km of the origin.",
-     "Give the import an origin near the machine, or poses a world that takes a map's coordinates "
-     "to it."},
+     "Give the import an origin near the machine, or give poses a world that moves map coordinates "
+     "there."},
 
     {"poses.quaternion", Severity::kError, "Quaternions of poses have norm 1 and w >= 0.",
      "Normalise them; check the order, w first."},
     {"poses.velocity", Severity::kWarning,
-     "Velocities and rates of poses are the change of position and orientation.",
+     "Velocities and rates of poses match the change of position and orientation.",
      "Check units and frames: v in W, w in B."},
-    {"poses.ground", Severity::kWarning,
-     "A machine neither falls freely nor is metres below all ground.",
+    {"poses.ground", Severity::kWarning, "No machine falls freely or lies metres below all ground.",
      "Give it tracks, wheels or hull_points; check heights and origin of the poses."},
 
-    {"commands.range", Severity::kError, "Levers lie in -1 to +1.",
-     "Scale them; percent are hundredths."},
-    {"encoders.rates", Severity::kWarning, "Rates of encoders are the change of their positions.",
+    {"commands.range", Severity::kError, "Lever values lie in -1 to +1.",
+     "Scale them; divide per cent by 100."},
+    {"encoders.rates", Severity::kWarning, "Encoder rates match the change of encoder positions.",
      "Check units (rad, rad/s), signs and order of the columns."},
     {"encoders.jump", Severity::kWarning,
-     "Angles of joints go on from row to row, without a jump by more than half a turn.",
-     "Import an angle that begins anew after a turn with wrap_deg: 360; leave wrong rows out."},
+     "Joint angles never jump by more than half a turn from row to row.",
+     "Import an angle that wraps after a turn with wrap_deg: 360; remove wrong rows."},
     {"encoders.radians", Severity::kWarning,
      "Angles and rates of joints are plausible as rad and rad/s.", "Convert degrees to radians."},
-    {"encoders.truth", Severity::kWarning,
-     "Encoders read the joints that truth/<machine>/joints.csv tells.",
+    {"encoders.truth", Severity::kWarning, "Encoder positions match truth/<machine>/joints.csv.",
      "Check names, units and zero positions of the joints."},
 
     {"events.rows", Severity::kError,
@@ -119,36 +114,36 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Copy the file again, or generate the recording again."},
 
     {"imu.gravity", Severity::kError,
-     "An inertial unit's specific force has about the size of gravity.",
-     "Convert to m/s2; 1 g is 9.80665. Where gravity was taken away, record it with it."},
-    {"imu.units", Severity::kWarning, "An inertial unit turns by its rates as gravity turns in it.",
-     "Give the import the unit of the rates: rad/s or deg/s."},
+     "An inertial unit's specific force has about the magnitude of gravity.",
+     "Convert to m/s2; 1 g is 9.80665. If gravity was subtracted, record the raw specific force."},
+    {"imu.units", Severity::kWarning,
+     "An inertial unit's rates match the rotation of gravity in its frame.",
+     "State the unit of the rates in the import: rad/s or deg/s."},
     {"imu.down", Severity::kWarning,
-     "An inertial unit's specific force does not point down all the time, but where its mount says "
-     "that it hangs upside down.",
-     "Turn its axes at the import, rpy_deg: [180, 0, 0], or give it a mount that says so."},
+     "An inertial unit's specific force does not point down all the time, unless its mount is "
+     "upside down.",
+     "Turn its axes at the import with rpy_deg: [180, 0, 0], or give it an upside-down mount."},
     {"imu.rates", Severity::kWarning,
-     "An inertial unit turns as its link does by the recorded poses.",
+     "An inertial unit's rates match the recorded poses of its link.",
      "Check the unit (rad/s, not deg/s), the axes and X_parent_sensor."},
     {"imu.up", Severity::kWarning,
-     "An inertial unit's specific force points up where the recorded poses turn it into the world.",
+     "An inertial unit's specific force, turned into the world by the recorded poses, points up.",
      "Check the axes and X_parent_sensor."},
 
     {"gnss.values", Severity::kError,
-     "Fixes are qualities of GGA; latitudes, longitudes and variances are possible.",
-     "Check the order and units of the columns; leave out rows that are no measurement."},
+     "Fixes are GGA qualities; latitudes, longitudes and variances are within their ranges.",
+     "Check the order and units of the columns; remove rows without a measurement."},
     {"gnss.geodesy", Severity::kError,
-     "East, north and up are latitude, longitude and height about the dataset's origin.",
+     "East, north and up match latitude, longitude and height relative to the dataset's origin.",
      "Check the origin, and that heights are above the ellipsoid."},
     {"gnss.pose", Severity::kWarning,
      "A receiver lies within reach of its machine's recorded pose.",
      "Check the origin and the world of the poses."},
 
     {"pictures.readable", Severity::kError,
-     "Each picture is a whole PNG of the bits and components of its kind.",
+     "Each picture is a complete PNG with the bits and components of its kind.",
      "Write the file again."},
-    {"pictures.size", Severity::kError,
-     "All pictures of a camera have the size that sensor.yaml tells.",
+    {"pictures.size", Severity::kError, "All pictures of a camera have the size in sensor.yaml.",
      "Correct width_px and height_px, or render again."},
     {"pictures.classes", Severity::kError, "Pixels of semantic/ are classes of dataset.yaml.",
      "Add the class to the list, or label again."},
@@ -156,52 +151,52 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Pixels of instance/ are 0 or instances of dataset.yaml.",
      "Add the instance to the list, or label again."},
     {"pictures.agree", Severity::kError,
-     "A pixel's class in semantic/ is that of its instance; panoptic/ has the same of both.",
+     "A pixel's class in semantic/ is the class of its instance; panoptic/ repeats class and "
+     "instance.",
      "Render both from the same scene; check the list of instances."},
     {"pictures.depth", Severity::kError,
-     "Where the class is sky there is neither depth nor distance, and distance is no less than "
-     "depth.",
-     "Check the unit (mm), and that all pictures are of one instant."},
+     "Sky pixels have neither depth nor distance; distance is at least depth.",
+     "Check the unit (mm); check that all pictures have the same time."},
     {"pictures.normals", Severity::kError, "Normals have length 1 or are 0 0 0.",
      "Write n as round(32767 (n + 1))."},
     {"pictures.flow", Severity::kError,
-     "The third value of flow is 0 to 3, and all is 0 of the first picture.",
-     "Write the states of docs/reference/dataset.md."},
+     "The third value of flow is 0 to 3; all flow of the first picture is 0.",
+     "Write the flow states of docs/reference/dataset.md."},
     {"pictures.motion", Severity::kWarning,
-     "The ground's flow to the previous picture follows from distance and the camera's poses.",
-     "Check signs and order of the flow, the poses, and that frames lie in order."},
+     "The ground's flow to the previous picture matches distance and camera poses.",
+     "Check the signs and order of the flow, the poses and the order of the frames."},
 
     {"boxes.readable", Severity::kError,
      "Each file of boxes is JSON as docs/reference/dataset.md says.", "Write the file again."},
     {"boxes.instance", Severity::kError,
-     "A box has the name, class and parent that dataset.yaml gives its instance, and is there "
-     "once.",
+     "A box has the name, class and parent of its instance in dataset.yaml; an instance has one "
+     "box at most.",
      "Correct the box or the list of instances."},
-    {"boxes.bounds", Severity::kError, "Boxes lie in the picture, and shares lie in 0 to 1.",
+    {"boxes.bounds", Severity::kError,
+     "Boxes lie in the picture; visibility and truncation lie in 0 to 1.",
      "Write bounds in whole pixels, the last one inclusive."},
     {"boxes.mask", Severity::kError,
-     "Bounds and visible_px of a box are those of its pixels in instance/, and each instance in "
-     "the "
-     "picture has a box.",
+     "Bounds and visible_px of a box match its pixels in instance/; each instance in the picture "
+     "has a box.",
      "Write boxes and masks from the same picture."},
 
     {"scans.readable", Severity::kError,
-     "Each scan is a whole PCD with the fields of docs/reference/dataset.md.",
+     "Each scan is a complete PCD with the fields of docs/reference/dataset.md.",
      "Write the file again."},
     {"scans.values", Severity::kError,
      "Points are finite, intensities lie in 0 to 1, times within the revolution.",
-     "Leave out rays without return; scale intensities; count times from the scan's t_ns."},
+     "Remove rays without a return; scale intensities; count times from the scan's t_ns."},
     {"scans.classes", Severity::kError, "Labels of points are classes of dataset.yaml.",
      "Add the class to the list, or label again."},
     {"scans.instances", Severity::kError,
-     "Instances of points are 0 or stand in dataset.yaml, with the class of the point.",
+     "Instances of points are 0 or instances of dataset.yaml with the class of the point.",
      "Add the instance to the list, or label again."},
     {"scans.depth", Severity::kWarning,
-     "A scan and a depth picture of the same time and machine agree where both see.",
-     "Check X_parent_sensor of both, units, and the clocks."},
+     "A scan and a depth picture of one machine and time agree on surfaces that both see.",
+     "Check X_parent_sensor of both, the units and the clocks."},
 });
 
-/// A rule by its id; an unknown id does not compile.
+/// A rule, given by its id. An unknown id is a compile error.
 class RuleId {
  public:
   consteval RuleId(const char* id) : index_(Find(id)) {}  // NOLINT(google-explicit-constructor)

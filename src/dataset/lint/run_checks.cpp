@@ -4,12 +4,12 @@
 #include "dataset/lint/lint.h"
 #include "dataset/lint/lint_job.h"
 
-// Runs the table of checks.
+// Runs all checks.
 
 namespace tera {
 namespace {
 
-/// Earlier checks find unreadable channels, which later ones may skip.
+/// Order matters: early checks exclude unreadable channels from later checks.
 constexpr std::array kChecks = {
     CheckDescription, CheckFiles,         CheckRows,        CheckPoses,  CheckCommands,
     CheckEncoders,    CheckInertialUnits, CheckReceivers,   CheckEvents, CheckCameras,

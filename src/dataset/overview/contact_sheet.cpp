@@ -16,7 +16,7 @@ cv::Mat PixelsOf(Picture* picture) {
   return {picture->height_px, picture->width_px, CV_8UC3, picture->data.data()};
 }
 
-/// The part of a line that fits into a width.
+/// Shortens a line to fit the width.
 std::string Cut(std::string line, int width_px) {
   const auto fits = [&] {
     return cv::getTextSize(line, cv::FONT_HERSHEY_SIMPLEX, kTextScale, 1, nullptr).width <=

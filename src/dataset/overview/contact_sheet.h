@@ -7,15 +7,14 @@
 
 namespace tera {
 
-/// One picture of a contact sheet.
 struct SheetTile {
   Picture picture;
   std::string title;
-  std::vector<std::string> lines;  ///< below the picture, small
+  std::vector<std::string> lines;  ///< small text below the image
 };
 
-/// Arranges tiles in columns so that the sheet is about square. Each tile has its title in the
-/// picture and its lines below. All pictures have one size. Long text is cut.
+/// Arranges tiles on an approximately square sheet. A tile has its title inside the image and its
+/// lines below. All images must have the same size. Text that is too long is cut.
 Picture ContactSheet(const std::vector<SheetTile>& tiles);
 
 }  // namespace tera

@@ -17,7 +17,7 @@ constexpr const char* kColours[] = {"#1f5fa8", "#d9541e", "#2e8b57",
                                     "#8a3ea8", "#c29a00", "#333333"};
 constexpr std::size_t kColourCount = std::size(kColours);
 
-/// `text` as a single-quoted string of gnuplot, where a quote is doubled.
+/// A single-quoted gnuplot string, in which a quote is doubled.
 std::string Quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
@@ -36,15 +36,16 @@ Span SpanOf(const std::vector<Curve>& curves, std::vector<double> Curve::*axis) 
   return span;
 }
 
-/// gnuplot's automatic range of `span`, or `span` widened about its middle to `least`.
+/// The automatic range of gnuplot; or, if `span` is shorter than `least`, a range of length `least`
+/// about its middle.
 std::string AxisRange(const Span& span, double least) {
   if (span.high - span.low >= least) return "[*:*]";
   const double middle = 0.5 * (span.low + span.high);
   return fmt::format("[{}:{}]", middle - 0.5 * least, middle + 0.5 * least);
 }
 
-/// Ranges of both axes. Constant curves, and paths of a machine at rest or along an axis, need a
-/// margin.
+/// Ranges of both axes. A constant curve and the path of a machine at rest, or along one axis, need
+/// a minimum range.
 std::string Ranges(const Chart& chart) {
   constexpr double kLeastOfWider = 0.1, kLeastPath_m = 0.2, kLeast = 1e-12;
   const Span x = SpanOf(chart.curves, &Curve::x), y = SpanOf(chart.curves, &Curve::y);
@@ -63,7 +64,7 @@ void AppendChart(const Chart& chart, std::string* script) {
   fmt::format_to(out,
                  "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
                  Quoted(chart.title), Quoted(chart.x_label), Quoted(chart.y_label));
-  // Axis labels are rotated, since an axis of a path may be short.
+  // Axis labels are rotated to fit a short axis of a path.
   *script += chart.equal_axes ? "set size ratio -1\nset xtics rotate\n"
                               : "set size noratio\nset xtics norotate\n";
   *script += Ranges(chart);
@@ -82,7 +83,7 @@ void AppendChart(const Chart& chart, std::string* script) {
     data += "e\n";
     any = true;
   }
-  // A chart without data keeps its place in the grid.
+  // A chart without data leaves its cell of the grid empty.
   *script += any ? plot + "\n" + data : "set multiplot next\n";
 }
 

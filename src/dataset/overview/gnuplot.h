@@ -6,21 +6,20 @@
 
 namespace tera {
 
-/// One curve of a chart.
 struct Curve {
   std::string title;
   std::vector<double> x, y;
 };
 
-/// Axes with curves.
 struct Chart {
   std::string title, x_label, y_label;
-  bool equal_axes = false;  ///< the same scale along x and y
+  bool equal_axes = false;  ///< x and y have equal scales
   std::vector<Curve> curves;
 };
 
-/// Draws charts in a grid of `columns` as one PNG by the gnuplot program. Throws InputError if
-/// gnuplot is not installed or fails, or the file cannot be written; no partial file remains.
+/// Draws charts with the program gnuplot, in a grid with `columns` columns, as one PNG. Throws
+/// InputError if gnuplot is not installed or fails, or if the file cannot be written; no partial
+/// file remains.
 void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int height_px,
                 const std::filesystem::path& png);
 

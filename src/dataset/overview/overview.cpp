@@ -24,7 +24,7 @@ namespace tera {
 namespace {
 
 constexpr int kFilmTileWidth_px = 480, kFilmTileHeight_px = 360;
-constexpr int kQuality = 21;  ///< constant rate factor of x264: smaller is better
+constexpr int kQuality = 21;  ///< constant rate factor of x264; smaller values give higher quality
 
 struct CameraTrack {
   std::string folder;
@@ -40,7 +40,7 @@ std::vector<CameraTrack> Cameras(const Recording& recording) {
   return cameras;
 }
 
-/// The latest frame at or before `t_ns`, else the first.
+/// Time of the latest frame at or before `t_ns`, or else of the first frame.
 TimeNs Latest(const CameraTrack& camera, TimeNs t_ns) {
   const auto after = std::upper_bound(camera.times.begin(), camera.times.end(), t_ns);
   return after == camera.times.begin() ? camera.times.front() : *(after - 1);
@@ -73,10 +73,10 @@ Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& ca
   return sheet;
 }
 
-/// Writes a film (H.264, yuv420p, by the ffmpeg program) of all cameras side by side. Colour is
-/// above, the camera's first label channel (usually classes) below. The frame rate is the first
-/// camera's; other cameras show their latest frame. Writes nothing without a camera with frames.
-/// Throws InputError if ffmpeg is not installed.
+/// Writes a video (H.264, yuv420p) of all cameras side by side, with the program ffmpeg. Colour is
+/// in the upper row, the first label channel (usually classes) in the lower. The frame rate is that
+/// of the first camera; other cameras show their latest frame. Writes nothing if no camera has
+/// frames. Throws InputError if ffmpeg is not installed.
 void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
   const std::vector<CameraTrack> cameras = Cameras(recording);
   if (cameras.empty()) return;
@@ -100,13 +100,13 @@ void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
 
 constexpr int kColumns = 4, kTileWidth_px = 400, kTileHeight_px = 300;
 constexpr int kSheetWidth_px = kColumns * kTileWidth_px;
-constexpr double kStill_m = 0.05;  ///< shorter motions are not drawn as a trajectory
+constexpr double kStill_m = 0.05;  ///< shorter motions are not drawn
 constexpr int kScanWidth_px = kSheetWidth_px / 2, kScanHeight_px = 600;
 
-/// The middle frame of a recording, during work.
+/// The middle frame, in which machines probably work.
 TimeNs Middle(const std::vector<TimeNs>& times) { return times[times.size() / 2]; }
 
-/// Colour, depth and labels of one camera side by side, in as many lines as necessary.
+/// Colour, depth and labels of one camera, in as many rows as needed.
 Picture CameraRow(const Recording& recording, const std::string& folder) {
   const auto times = recording.FrameTimes(folder);
   if (times.empty()) return Picture(kSheetWidth_px, kTileHeight_px, 3);
@@ -151,7 +151,7 @@ double Extent(const std::vector<double>& values) {
   return *high - *low;
 }
 
-/// Trajectories of machines and of their GNSS receivers, without stationary ones.
+/// Trajectories of machines and GNSS receivers. Stationary ones are left out.
 Chart TrajectoryChart(const Recording& recording) {
   Chart chart{"trajectories from above", "east in m", "north in m", true, {}};
   const auto add = [&](const std::string& title, const auto& samples, const auto& place_of) {
@@ -165,7 +165,7 @@ Chart TrajectoryChart(const Recording& recording) {
   };
   for (const std::string& file : recording.ChannelsOf(kPoseChannel)) {
     if (std::filesystem::path(file).filename() != "pose.csv")
-      continue;  // poses of links and sensors
+      continue;  // skips poses of links and sensors
     add(std::filesystem::path(file).parent_path().filename(), recording.LoadPose(file).poses,
         [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
   }
@@ -177,7 +177,7 @@ Chart TrajectoryChart(const Recording& recording) {
   return chart;
 }
 
-/// A unit by the ending of column names, and its display in charts.
+/// A unit, recognised by the ending of a column name, and how charts show it.
 struct ShownUnit {
   std::string_view ending;
   std::string_view shown;
@@ -191,14 +191,14 @@ constexpr std::array<ShownUnit, 5> kShownUnits = {{
     {"mps2", "m/s2", 1},
 }};
 
-/// The parts of a column's name before and after the last underscore.
+/// Parts of a column name before and after the last underscore.
 std::pair<std::string, std::string> NameAndUnit(const std::string& column) {
   const std::size_t at = column.rfind('_');
   if (at == std::string::npos) return {column, ""};
   return {column.substr(0, at), column.substr(at + 1)};
 }
 
-/// The units of these columns: first those of kShownUnits in their order, then others.
+/// Units of the columns: first those in kShownUnits, in that order, then others.
 std::vector<ShownUnit> UnitsOf(const std::vector<std::string>& columns) {
   std::vector<ShownUnit> units;
   const auto any = [&](std::string_view ending) {
@@ -217,7 +217,7 @@ std::vector<ShownUnit> UnitsOf(const std::vector<std::string>& columns) {
   return units;
 }
 
-/// Charts of a sensor's numbers over time, one per unit.
+/// Adds charts of a sensor's values over time, one per unit.
 void AddSeries(const std::string& folder, const TableRecording& series,
                std::vector<Chart>* charts) {
   for (const ShownUnit& unit : UnitsOf(series.columns)) {

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kShownShare = 0.98;  ///< share of values that a colour scale covers
+constexpr double kShownShare = 0.98;  ///< fraction of values that a colour scale covers
 constexpr double kFontScale = 0.5;
 
 cv::Mat View(Picture* picture) {
@@ -21,12 +21,12 @@ cv::Mat View(Picture* picture) {
 
 cv::Mat View(const Picture& picture) { return View(const_cast<Picture*>(&picture)); }
 
-/// The size below which kShownShare of the sizes lie, at least `least`.
+/// Magnitude below which the fraction kShownShare of the magnitudes lies, at least `least`.
 double LargestShown(std::vector<double> sizes, double least) {
   return sizes.empty() ? least : std::max(Quantile(std::move(sizes), kShownShare), least);
 }
 
-/// Colour of s in [0, 1] on OpenCV's turbo scale, blue to red, as RGB.
+/// RGB colour of s in [0, 1] on OpenCV's turbo scale, from blue to red.
 cv::Vec3b Turbo(double s) {
   static const cv::Mat table = [] {
     cv::Mat ramp(1, 256, CV_8U), colours;
@@ -44,7 +44,7 @@ cv::Vec3b ClassColour(std::size_t label) {
   return {rgb[0], rgb[1], rgb[2]};
 }
 
-/// Hues a golden-ratio turn apart, so that neighbouring numbers differ.
+/// Hues are a golden-ratio turn apart, so that consecutive numbers differ clearly.
 cv::Vec3b InstanceColour(std::uint16_t instance) {
   if (instance == 0) return {30, 30, 30};
   const double turn = std::fmod(0.618034 * instance, 1.0);
@@ -53,7 +53,7 @@ cv::Vec3b InstanceColour(std::uint16_t instance) {
   return colour.at<cv::Vec3b>(0, 0);
 }
 
-/// Each pixel by the colour of its first component.
+/// Colours each pixel by its first component.
 template <typename T, typename Colour>
 Picture Map(const Image<T>& image, const Colour& colour_of) {
   Picture picture(image.width_px, image.height_px, 3);
@@ -65,7 +65,7 @@ Picture Map(const Image<T>& image, const Colour& colour_of) {
   return picture;
 }
 
-/// Each pixel by its instance, or by its class without one.
+/// Colours each pixel by instance, or by class if it has none.
 template <typename T>
 Picture Panoptic(const Image<T>& image) {
   TERA_CHECK(image.channels == 3, image.channels);
@@ -79,7 +79,7 @@ Picture Panoptic(const Image<T>& image) {
   return picture;
 }
 
-/// The upper eight bits of each component.
+/// Shows the upper eight bits of each component.
 template <typename T>
 Picture Directions(const Image<T>& image) {
   TERA_CHECK(image.channels == 3, image.channels);
@@ -90,7 +90,8 @@ Picture Directions(const Image<T>& image) {
   return picture;
 }
 
-/// Hue by direction, strength by length: full at the length below which kShownShare lie.
+/// Hue shows direction; strength shows length. It is full at the length below which kShownShare of
+/// the lengths lie.
 template <typename T>
 Picture Flow(const Image<T>& image) {
   constexpr double kMiddle = 32768;
@@ -118,7 +119,7 @@ Picture Flow(const Image<T>& image) {
   return picture;
 }
 
-/// From small (red) to large (blue), black without a value.
+/// From small (red) to large (blue); black without a value.
 template <typename T>
 Picture Nearness(const Image<T>& image) {
   std::vector<double> known;
@@ -130,7 +131,8 @@ Picture Nearness(const Image<T>& image) {
   return Map(image, [&](T v) { return v == 0 ? cv::Vec3b(0, 0, 0) : Turbo(1.0 - v / far); });
 }
 
-/// White in the middle, red above, blue below; full at the deviation below which kShownShare lie.
+/// White in the middle, red above, blue below. Colours are full at the deviation below which
+/// kShownShare of the deviations lie.
 template <typename T>
 Picture Rise(const Image<T>& image) {
   constexpr double kMiddle = 32768;

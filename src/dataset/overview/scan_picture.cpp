@@ -14,14 +14,14 @@ namespace {
 using Colour = std::array<std::uint8_t, 3>;
 
 constexpr Colour kBackground = {12, 12, 16}, kUnknownClass = {255, 255, 255};
-constexpr double kShareInView = 0.98;  ///< share of the points inside the view from above
+constexpr double kShareInView = 0.98;  ///< fraction of the points within the view from above
 constexpr double kRingStep_m = 10.0, kMinRadius_m = 10.0;
 
 Colour ClassColour(std::uint8_t label) {
   return label < kSemanticClasses.size() ? kSemanticClasses[label].rgb : kUnknownClass;
 }
 
-/// A square of `size_px`, omitted if it crosses the border.
+/// Draws a square of `size_px`, unless it crosses the border.
 void Dot(double x_px, double y_px, int size_px, const Colour& colour, Picture* picture) {
   const int x = static_cast<int>(std::floor(x_px)), y = static_cast<int>(std::floor(y_px));
   if (x < 0 || y < 0 || x + size_px > picture->width_px || y + size_px > picture->height_px) return;
@@ -39,8 +39,8 @@ Picture Empty(int width_px, int height_px) {
   return picture;
 }
 
-/// Camera of the view from behind, in the sensor's frame: near enough to show the machine under a
-/// roof lidar, high enough to show the ground around it.
+/// Camera of the view from behind, in the sensor frame. It is close enough to show the machine
+/// below a roof lidar, and high enough to show the ground around it.
 struct ObliqueView {
   Vec3 eye_S_m{-7.0, -6.5, 6.0};
   Vec3 target_S_m{4.0, 1.5, 0.0};
@@ -56,7 +56,7 @@ struct ObliqueView {
   }
 };
 
-/// Colour of a class, darker for weaker returns; full at an intensity of 1.
+/// Colour of a class, darker for weaker returns. It is full at intensity 1.
 Colour Shaded(const LidarPoint& p) {
   const double bright = 0.5 + 0.5 * std::sqrt(std::clamp(double(p.intensity), 0.0, 1.0));
   Colour colour = ClassColour(p.label);
@@ -109,11 +109,11 @@ Picture DrawScanFromBehind(const std::vector<LidarPoint>& points, int width_px, 
     const Vec3 p_C_m = R_CS * (Vec3(p.x_m, p.y_m, p.z_m) - view.eye_S_m);
     if (p_C_m.z() > view.near_m) placed.push_back({p_C_m, Shaded(p)});
   }
-  // Far points first, so that near ones cover them.
+  // Draws far points first, so that near points cover them.
   std::stable_sort(placed.begin(), placed.end(),
                    [](const Placed& a, const Placed& b) { return a.p_C_m.z() > b.p_C_m.z(); });
   Picture picture = Empty(width_px, height_px);
-  constexpr double kNear_m = 14.0;  // dots are larger up to here
+  constexpr double kNear_m = 14.0;  // up to this distance, dots are larger
   for (const Placed& point : placed) {
     const Vec3& p = point.p_C_m;
     Dot(0.5 * width_px + focal_px * p.x() / p.z(), 0.5 * height_px + focal_px * p.y() / p.z(),

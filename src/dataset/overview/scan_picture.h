@@ -4,21 +4,22 @@
 
 #include "dataset/overview/picture.h"
 
-/// Lidar scans for display, in the colours of kSemanticClasses.
+/// Images of lidar scans, coloured by kSemanticClasses.
 
 namespace tera {
 
-/// Radius that shows nearly all points from above.
+/// Radius within which nearly all points lie, seen from above.
 double ShownRadius_m(const std::vector<LidarPoint>& points);
 
-/// From above: x forward is up, y left, with rings each 10 m; to `radius_m` above and below.
+/// View from above. Forward (x) is up in the image, left (y) is left. Rings are 10 m apart. The
+/// image extends to `radius_m` above and below its centre.
 Picture DrawScanFromAbove(const std::vector<LidarPoint>& points, int width_px, int height_px,
                           double radius_m);
-/// The same with ShownRadius_m.
+/// View from above with the radius ShownRadius_m.
 Picture DrawScanFromAbove(const std::vector<LidarPoint>& points, int width_px, int height_px);
 
-/// In perspective, from above, behind and to the right of the sensor; brighter for stronger
-/// returns.
+/// Perspective view from above, behind and to the right of the sensor. Stronger returns are
+/// brighter.
 Picture DrawScanFromBehind(const std::vector<LidarPoint>& points, int width_px, int height_px);
 
 }  // namespace tera

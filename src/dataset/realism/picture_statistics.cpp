@@ -18,7 +18,7 @@ constexpr double kMaskNorm = 6,
                  kQuartile = 0.6745;  ///< norm of L; quartile of a normal distribution
 constexpr double kMaskBin = 0.05, kMostMask = 600;
 constexpr double kDark =
-    0.01;  ///< share of full scale; limits the effect of single digital numbers in the dark
+    0.01;  ///< fraction of full scale; limits the effect of single digital numbers in dark areas
 
 template <typename T>
 cv::Mat MatrixOf(const Image<T>& image) {
@@ -30,7 +30,7 @@ double LinearOf(double srgb) {
   return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
 
-/// Amplitudes of the spectrum, with frequency zero in the upper left corner.
+/// Amplitude spectrum with frequency zero in the upper left corner.
 cv::Mat Amplitudes(const Image<float>& luminance) {
   const int side = std::min(luminance.width_px, luminance.height_px);
   cv::Mat square;
@@ -39,7 +39,7 @@ cv::Mat Amplitudes(const Image<float>& luminance) {
       .convertTo(square, CV_64F);
   cv::Mat window;
   cv::createHanningWindow(window, square.size(), CV_64F);
-  // The windowed mean must be zero, or it leaks into the lowest rings.
+  // The mean under the window must be zero, or it leaks into the lowest rings.
   square -= square.dot(window) / cv::sum(window)[0];
   cv::Mat spectrum, parts[2], amplitude;
   cv::dft(square.mul(window), spectrum, cv::DFT_COMPLEX_OUTPUT);
@@ -48,7 +48,7 @@ cv::Mat Amplitudes(const Image<float>& luminance) {
   return amplitude;
 }
 
-/// Pixel maps derived from one picture.
+/// Per-pixel values derived from one image.
 struct Maps {
   cv::Mat normalised, log_luminance, chroma, mask;
 
@@ -97,7 +97,7 @@ void AddPixels(const Maps& maps, const cv::Mat& inside, SurfaceSums* sums) {
   }
 }
 
-/// Pixels whose whole window is 255 in `all` and inside the picture.
+/// Pixels whose whole window lies inside the image and is 255 in `all`.
 cv::Mat Within(const cv::Mat& all) {
   cv::Mat inside;
   cv::erode(all, inside, cv::Mat::ones(kWindow_px, kWindow_px, CV_8U), cv::Point(-1, -1), 1,
@@ -121,7 +121,8 @@ double AmplitudeSlope(const Image<float>& luminance) {
       ++count[ring];
     }
   }
-  // Rings are uniform in the logarithm; otherwise the many fine ones would dominate.
+  // Rings are spaced uniformly in log frequency, because otherwise the many high frequencies would
+  // dominate.
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   std::size_t before = 0;
   for (int k = 0;; ++k) {
@@ -143,7 +144,7 @@ double GeneralisedGaussianShape(double mean_square, double mean_absolute) {
   const auto ratio = [](double shape) {
     return std::lgamma(1 / shape) + std::lgamma(3 / shape) - 2 * std::lgamma(2 / shape);
   };
-  double low = kLeastShape, high = kMostShape;  // the ratio falls as the shape grows
+  double low = kLeastShape, high = kMostShape;  // bisection: the ratio falls as the shape grows
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
     (ratio(middle) > wanted ? low : high) = middle;
@@ -201,7 +202,7 @@ double SurfaceSums::noise_dn() const {
       below += mask_[bin];
       continue;
     }
-    // Linear within the bin.
+    // Interpolates linearly within the bin.
     const double share = mask_[bin] > 0
                              ? (0.5 * static_cast<double>(pixels_) - static_cast<double>(below)) /
                                    static_cast<double>(mask_[bin])

@@ -7,14 +7,13 @@
 
 namespace tera {
 
-/// Measures one of `every_frame` colour pictures of all cameras of a dataset, by class if there are
-/// labels. Throws InputError without colour pictures, for one smaller than 64 px, and as Recording
-/// does.
+/// Measures the colour images of all cameras of a dataset, one image out of `every_frame`, by class
+/// if there are labels. Throws InputError if there are no colour images or one is smaller than 64
+/// px, and as Recording does.
 Realism MeasureRealism(const std::filesystem::path& dataset, int every_frame);
 
-/// A table with comparison figures of photographs and their sources.
+/// Table of the results next to values of photographs from the literature, with sources.
 std::string RealismTable(const Realism& realism);
-/// The same numbers as JSON.
 std::string RealismJson(const Realism& realism);
 
 }  // namespace tera

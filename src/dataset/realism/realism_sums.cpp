@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 constexpr int kSmallest_px = 64;
-constexpr std::int64_t kFewestPixels = 1000;  ///< smallest reported class
+constexpr std::int64_t kFewestPixels = 1000;  ///< classes with fewer pixels are not reported
 
 SurfaceRealism ToldOf(const std::string& name, const SurfaceSums& sums) {
   return {name,          sums.pixels(),  sums.mscn_shape(), sums.step_kurtosis(),

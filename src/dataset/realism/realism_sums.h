@@ -9,20 +9,20 @@
 
 namespace tera {
 
-/// Sums over any number of pictures.
+/// Accumulates statistics over any number of images.
 class RealismSums {
  public:
   RealismSums();
 
-  /// Adds a colour picture, by class if it has labels. Throws InputError, with the camera's
-  /// `folder`, for a picture smaller than 64 px and for labels of another size.
+  /// Adds a colour image, by class if it has labels. Throws InputError that names the camera's
+  /// `folder` if the image is smaller than 64 px or the labels have another size.
   void Add(const std::filesystem::path& folder, const CameraFrame& frame);
   int pictures() const { return told_.pictures; }
-  /// Needs at least one picture.
+  /// Requires at least one image.
   Realism Told() const;
 
  private:
-  Realism told_;  ///< sums where Told has means
+  Realism told_;  ///< holds sums where the result has means
   SurfaceSums whole_;
   std::vector<SurfaceSums> of_class_;
 };

@@ -8,7 +8,7 @@
 
 namespace tera::ros {
 
-/// A lever field of DeltaCAN, by its name in the message.
+/// A lever field of DeltaCAN, with its name in the message.
 struct DeltaCanField {
   const char* name;
   float DeltaCan::*value;
@@ -23,18 +23,18 @@ inline constexpr DeltaCanField kDeltaCanFields[] = {{"slew", &DeltaCan::slew},
                                                     {"blade", &DeltaCan::blade},
                                                     {"swing", &DeltaCan::swing}};
 
-/// The field of a lever: the one of the same name; for a running gear's lever, `left_travel` or
-/// `right_travel` by its name's beginning. Null if there is none.
+/// Field for a lever: the field of equal name or, for a lever of a running gear, `left_travel` or
+/// `right_travel` according to the beginning of its name. Null if there is none.
 float DeltaCan::*FieldOfLever(std::string_view name, bool drives_gear);
 
-/// A machine's lever, in the order of its file.
+/// A lever of a machine, in the order of the machine file.
 struct NamedLever {
   std::string name;
   bool drives_gear = false;
 };
 
-/// The message for levers at `positions`: enabled, and at high speed, since recorded levers already
-/// include a low speed. Stamps below 0 are 0.
+/// Message with the levers at `positions`. It is enabled and in high speed, because recorded lever
+/// positions already include the effect of low speed. Negative stamps become 0.
 DeltaCan DeltaCanOf(const std::vector<NamedLever>& levers, const std::vector<double>& positions,
                     TimeNs stamp_ns);
 

@@ -57,7 +57,6 @@ void Put(std::uint8_t* point, std::uint32_t offset, T value) {
   std::memcpy(point + offset, &value, sizeof value);
 }
 
-/// A column's quantity and joint.
 struct QuantityOfJoint {
   std::string joint;
   bool is_rate = false;
@@ -126,7 +125,7 @@ JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
 
 namespace {
 
-/// The model by its ROS name and its coefficients; ROS has no name for f-theta.
+/// ROS name of the distortion model and its coefficients. ROS has no name for f-theta.
 std::pair<std::string, std::vector<double>> DistortionOf(const CameraLens& c) {
   if (c.law == "rational") {
     return {"rational_polynomial", {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6}};

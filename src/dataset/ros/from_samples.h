@@ -8,39 +8,41 @@
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/messages.h"
 
-/// Sensor measurements as ROS messages. `frame_id` is the sensor's frame, for pictures its optical
-/// frame. The stamp is the time of validity.
+/// Convert sensor measurements to ROS messages. `frame_id` is the sensor frame; for images it is
+/// the optical frame. The stamp is t_ns.
 
 namespace tera::ros {
 
-/// Covariances are the variance of one sample's white noise; 0 (unknown) without noise.
+/// Covariances are the white noise variance of a single sample. They are 0 (unknown) for a sensor
+/// without noise.
 Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuNoise& noise,
                double period_s);
 
-/// Status as in drivers of NMEA receivers: single is a fix, differential satellite-augmented, RTK
-/// ground-augmented. Covariance is the receiver's reported variance.
+/// Status as NMEA drivers set it: single is a fix, differential is satellite-augmented, RTK is
+/// ground-augmented. The covariance is the variance that the receiver reports.
 NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id);
 
-/// A row of numbers as joints by column names. An ending `_rad` or `_m` marks the position of the
-/// joint named before it, `_radps` or `_mps` its velocity. Any other column is the position of a
-/// joint with the column's whole name. Missing quantities are NaN. No efforts.
+/// Converts a row to joints by column names. A column that ends in `_rad` or `_m` is the position
+/// of the joint named in front of it; `_radps` or `_mps` is its velocity. Any other column is the
+/// position of a joint with the full column name. Missing quantities are NaN; efforts are absent.
 JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
                            const std::vector<std::string>& columns);
 
-/// Distortion `plumb_bob`, `rational_polynomial` or `equidistant` of ROS, with the centre of pixel
-/// (0, 0) at (0, 0) as here, or `f_theta`, which ROS lacks.
+/// Distortion model `plumb_bob`, `rational_polynomial` or `equidistant`. The model `f_theta` does
+/// not exist in ROS. As in datasets, the centre of pixel (0, 0) has the coordinates (0, 0).
 CameraInfo CameraInfoMessage(const Header& header, const CameraLens& lens);
 
-/// `rgb8`.
+/// Encoding `rgb8`.
 Image ColourMessage(const CameraFrame& frame, const std::string& frame_id);
-/// `32FC1`, metres; NaN without a measurement, as REP 118 requires.
+/// Encoding `32FC1` in metres. A pixel without a measurement is NaN, as REP 118 requires.
 Image DepthMessage(const CameraFrame& frame, const std::string& frame_id);
-/// `mono8`, `mono16` or `rgb16`: the numbers of the dataset's files.
+/// Encoding `mono8`, `mono16` or `rgb16`, with the values of the dataset's files.
 Image LabelMessage(const LabelChannel& channel, const CameraFrame& frame,
                    const std::string& frame_id);
 
-/// Fields x, y, z, intensity (float32), ring (uint16), label (uint8), time (float32, seconds since
-/// the stamp, which is the scan's first ray), instance (uint16); 28 bytes per point.
+/// Fields x, y, z, intensity (float32), ring (uint16), label (uint8), time (float32), instance
+/// (uint16); 28 bytes per point. The stamp is the time of the first ray, and time is in seconds
+/// since the stamp.
 PointCloud2 PointCloudMessage(const LidarScan& scan, const std::string& frame_id);
 
 }  // namespace tera::ros

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kTime = TimePart::kType, kHeader = Header::kType;
 
-/// Definitions of types that TERA does not write.
+/// Definitions of types that TERA reads but does not write.
 ///
 /// Source  the published definitions of common_interfaces and geometry2.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kFurther = {{
@@ -43,7 +43,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kFurther
     {"sensor_msgs/Joy", "std_msgs/Header header\nfloat32[] axes\nint32[] buttons\n"},
 }};
 
-/// Writes the definition of a type with Fields.
+/// Visitor for Fields that writes the definition of a type.
 struct DefinitionWriter {
   std::string text;
 
@@ -103,7 +103,7 @@ const std::map<std::string_view, std::string>& Definitions() {
   return definitions;
 }
 
-/// Splits a line into the type and the rest, which begins with the blank.
+/// Splits a line into its type and the rest, which begins with a blank.
 std::pair<std::string_view, std::string_view> TypeAndRest(std::string_view line) {
   const std::size_t blank = line.find(' ');
   return {line.substr(0, blank), line.substr(blank)};
@@ -119,16 +119,16 @@ std::vector<std::string_view> Lines(std::string_view text) {
   return lines;
 }
 
-/// The type without the brackets of an array.
+/// Removes the brackets of an array type.
 std::string_view ElementOf(std::string_view type) { return type.substr(0, type.find('[')); }
 
-/// A field's line in ROS 1's names.
+/// Converts the line of a field to ROS 1 notation.
 std::string Ros1Line(std::string_view owner, std::string_view line) {
   const auto [type, rest] = TypeAndRest(line);
   if (type == kTime) return "time" + std::string(rest);
   if (type == kHeader) return "Header" + std::string(rest);
   std::string text(line);
-  // ROS 1 names a camera's matrices with capital letters.
+  // In ROS 1, the matrices of a camera have upper-case names.
   if (owner == CameraInfo::kType && rest.size() == 2) {
     text.back() = static_cast<char>(text.back() - 'a' + 'A');
   }
@@ -138,7 +138,7 @@ std::string Ros1Line(std::string_view owner, std::string_view line) {
 std::string Text(std::string_view type, WireForm form) {
   if (form == WireForm::kCdr) return std::string(DefinitionOf(type));
   std::string text = type == kHeader ? "uint32 seq\n" : "";
-  // In ROS 1 a grid map's header is in its info.
+  // In ROS 1, the header of a grid map is part of its info.
   if (type == GridMapInfoPart::kType) text = "Header header\n";
   for (const std::string_view line : Lines(DefinitionOf(type))) {
     const std::string own = Ros1Line(type, line) + "\n";
@@ -147,7 +147,7 @@ std::string Text(std::string_view type, WireForm form) {
   return text;
 }
 
-/// The component types of a type, each once, in the order of appearance.
+/// Types contained in a type, without duplicates, in order of first occurrence.
 void Gather(std::string_view type, WireForm form, std::set<std::string_view>* seen,
             std::vector<std::string_view>* parts) {
   for (const std::string_view line : Lines(DefinitionOf(type))) {

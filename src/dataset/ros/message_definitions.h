@@ -6,31 +6,31 @@
 
 #include "dataset/ros/serializer.h"
 
-/// Message definitions as texts for bags, so that readers need no ROS packages.
+/// Message definitions as text. Bags contain them, so that readers need no ROS packages.
 
 namespace tera::ros {
 
-/// "sensor_msgs/msg/Imu" in ROS 2, "sensor_msgs/Imu" in ROS 1.
+/// Type name: "sensor_msgs/msg/Imu" in ROS 2, "sensor_msgs/Imu" in ROS 1.
 std::string FullTypeName(std::string_view type, WireForm form);
 
-/// The definition of a type ("sensor_msgs/Imu"), followed by those of all its component types, each
-/// after a line of equals signs and its name.
+/// Definition of a type such as "sensor_msgs/Imu", followed by the definitions of all types that it
+/// contains. Each of these is preceded by a line of equals signs and a line with its name.
 std::string FullDefinition(std::string_view type, WireForm form);
 
-/// The digest by which ROS 1 compares definitions of a type.
+/// Digest by which ROS 1 compares definitions.
 ///
-/// Model   MD5 of its constants, then its fields, one per line. The digest of a field's message
-///         type replaces its name.
+/// Model   MD5 of the constants and then the fields, one per line. For a field whose type is a
+///         message, the digest of that type replaces its name.
 /// Source  "genmsg" of ROS 1, gentools.
 std::string Md5Sum(std::string_view type);
 
-/// The ROS 2 definition of a type alone, without its component types.
+/// ROS 2 definition of a type, without the types that it contains.
 std::string_view DefinitionOf(std::string_view type);
 
-/// The same for a known type, else nothing.
+/// As DefinitionOf; nullopt for an unknown type.
 std::optional<std::string_view> FindDefinition(std::string_view type);
 
-/// The definition of a known type alone, in the names of ROS 1 or ROS 2.
+/// Definition of a type in ROS 1 or ROS 2 notation, without the types that it contains.
 std::string OwnDefinition(std::string_view type, WireForm form);
 
 }  // namespace tera::ros

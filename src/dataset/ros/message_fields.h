@@ -12,29 +12,31 @@
 
 #include "dataset/ros/messages.h"
 
-/// Fields of messages, each described once, for writers and readers of bytes and for definitions.
+/// Fields of the messages. One description serves serialisation, deserialisation and message
+/// definitions.
 ///
 /// Model   `Fields(visitor, message)` calls visitor(name, value) for each field in the order of the
-///         ROS definition, and visitor.Constant(line) for each constant. ROS 1 and ROS 2 share the
-///         order, except for the header's number and the place of a grid map's header. A value is a
-///         number, a text, a list, or a part with its own fields.
+///         ROS definition, and visitor.Constant(line) for each constant. ROS 1 and ROS 2 have the
+///         same order, with two exceptions: the sequence number in the header, and the place of a
+///         grid map's header. A value is a number, a text, a list, or a part with fields of its
+///         own.
 /// Source  common_interfaces, geometry2, rcl_interfaces, branch humble; grid_map_msgs; for TERA's
 ///         own message examples/ros2/tera_msgs.
 
 namespace tera::ros {
 
-/// A message or a part of one, with the type name T::kType.
+/// A message or a part of one. Its type name is T::kType.
 template <typename T>
 concept HasFields = requires {
   std::remove_cvref_t<T>::kType;
 };
 
-/// A sequence of bytes, uint8[].
+/// A byte sequence, uint8[].
 struct Bytes {
   std::string_view data;
 };
 
-// Message parts whose plain data have another form.
+// Parts of messages, each built from another C++ type.
 
 struct TimePart {
   static constexpr std::string_view kType = "builtin_interfaces/Time";
@@ -98,7 +100,7 @@ struct GridMapInfoPart {
   double resolution_m = 0, length_x_m = 0, length_y_m = 0;
   Pose middle = Pose::Identity();
 };
-/// The unconverted stamp of a DeltaCan, const or not.
+/// Stamp of a DeltaCan, without conversion to nanoseconds. M may be const.
 template <typename M>
 struct RawTimePart {
   static constexpr std::string_view kType = TimePart::kType;
@@ -142,7 +144,7 @@ void Fields(auto& visit, const TwistPart& part) {
   visit("linear", Vector3Part{part.linear_mps});
   visit("angular", Vector3Part{part.angular_radps});
 }
-/// The covariance is unknown.
+/// Zero covariance means unknown.
 void Fields(auto& visit, const PoseWithCovariancePart& part) {
   visit("pose", PosePart{part.pose});
   visit("covariance", std::array<double, 36>{});
@@ -179,7 +181,7 @@ void Fields(auto& visit, const JointState& message) {
 void Fields(auto& visit, const Imu& message) {
   visit("header", message.header);
   visit("orientation", QuaternionPart{});
-  visit("orientation_covariance", Covariance3{-1});  // ROS's mark for no orientation
+  visit("orientation_covariance", Covariance3{-1});  // means that there is no orientation estimate
   visit("angular_velocity", Vector3Part{message.angular_velocity_radps});
   visit("angular_velocity_covariance", message.angular_velocity_covariance);
   visit("linear_acceleration", Vector3Part{message.linear_acceleration_mps2});
@@ -225,7 +227,7 @@ void Fields(auto& visit, const CompressedImage& message) {
   visit("format", message.format);
   visit("data", Bytes{message.data});
 }
-/// The whole picture.
+/// Zeros mean the whole image.
 void Fields(auto& visit, const RegionOfInterestPart&) {
   for (const char* name : {"x_offset", "y_offset", "height", "width"}) {
     visit(name, std::uint32_t{0});
@@ -257,7 +259,7 @@ void Fields(auto& visit, const PointField& field) {
   visit("datatype", field.datatype);
   visit("count", std::uint32_t{1});
 }
-/// One row without missing points.
+/// The points are one row without missing points.
 void Fields(auto& visit, const PointCloud2& message) {
   const std::size_t points =
       message.point_step_bytes > 0 ? message.data.size() / message.point_step_bytes : 0;
@@ -306,7 +308,7 @@ void Fields(auto& visit, const GridMap& message) {
   visit("layers", names);
   visit("basic_layers", basic);
   visit("data", data);
-  // A moving map's buffer may start elsewhere; this one does not.
+  // A grid map may be a circular buffer. Here it starts at index 0.
   visit("outer_start_index", std::uint16_t{0});
   visit("inner_start_index", std::uint16_t{0});
 }
@@ -315,7 +317,7 @@ void Fields(auto& visit, const RawTimePart<M>& part) {
   visit("sec", part.message.stamp_sec);
   visit("nanosec", part.message.stamp_nanosec);
 }
-/// The frame is discarded.
+/// The frame id is ignored.
 template <typename M>
 void Fields(auto& visit, const RawHeaderPart<M>& part) {
   std::string frame_id;

@@ -10,23 +10,23 @@
 #include "core/motion.h"
 #include "core/time.h"
 
-/// ROS messages as plain data: messages that a simulation publishes or an export writes, and the
-/// levers that a simulation receives. Units follow the ROS definitions of the types kType;
-/// message_fields.h has their fields.
+/// ROS messages as plain data. A simulation publishes most of them, an export writes them, and
+/// DeltaCan is received by a simulation. Units are those of the ROS definitions. message_fields.h
+/// lists the fields.
 ///
 /// Source  common_interfaces, geometry2 and rcl_interfaces, branch humble; REP 103 (units, axes),
 ///         REP 105 (frames), REP 118 (depth images).
 
 namespace tera::ros {
 
-/// Stamp and frame. ROS cannot represent a time below 0, which is sent as 0.
+/// Time stamp and frame. ROS has no negative times; they are sent as 0.
 struct Header {
   static constexpr std::string_view kType = "std_msgs/Header";
   TimeNs t_ns = 0;
   std::string frame_id;
 };
 
-/// A 3 x 3 covariance, row-major. All zero: unknown.
+/// Row-major 3 x 3 covariance. All zero means unknown.
 using Covariance3 = std::array<double, 9>;
 
 struct Clock {
@@ -59,7 +59,8 @@ struct TfMessage {
   std::vector<TransformStamped> transforms;
 };
 
-/// Without covariances: the pose of the child in the header's frame, its velocities in its own.
+/// Pose of the child in the header's frame, with velocities in the child's frame. Covariances are
+/// not set.
 struct Odometry {
   static constexpr std::string_view kType = "nav_msgs/Odometry";
   Header header;
@@ -68,7 +69,7 @@ struct Odometry {
   Vec3 linear_mps = Vec3::Zero(), angular_radps = Vec3::Zero();
 };
 
-/// rad, rad/s, Nm; for sliding joints m, m/s, N. `effort` may be empty.
+/// Units are rad, rad/s and Nm; for prismatic joints m, m/s and N. `effort` may be empty.
 struct JointState {
   static constexpr std::string_view kType = "sensor_msgs/JointState";
   Header header;
@@ -76,7 +77,7 @@ struct JointState {
   std::vector<double> position, velocity, effort;
 };
 
-/// The message of a unit without an orientation estimate.
+/// An IMU without an orientation estimate.
 struct Imu {
   static constexpr std::string_view kType = "sensor_msgs/Imu";
   Header header;
@@ -84,7 +85,7 @@ struct Imu {
   Covariance3 angular_velocity_covariance = {}, linear_acceleration_covariance = {};
 };
 
-/// Altitude above the ellipsoid, covariance along east, north, up.
+/// Altitude is above the ellipsoid. The covariance is along east, north, up.
 struct NavSatFix {
   static constexpr std::string_view kType = "sensor_msgs/NavSatFix";
   enum Status : std::int8_t {
@@ -101,17 +102,17 @@ struct NavSatFix {
   CovarianceType covariance_type = kUnknown;
 };
 
-/// Little-endian.
+/// Multi-byte values are little-endian.
 struct Image {
   static constexpr std::string_view kType = "sensor_msgs/Image";
   Header header;
   std::uint32_t height_px = 0, width_px = 0;
   std::string encoding;
-  std::uint32_t step_bytes = 0;  ///< row length
+  std::uint32_t step_bytes = 0;  ///< bytes per row
   std::vector<std::uint8_t> data;
 };
 
-/// A picture in a file's bytes.
+/// An image as the content of an image file.
 struct CompressedImage {
   static constexpr std::string_view kType = "sensor_msgs/CompressedImage";
   Header header;
@@ -119,7 +120,7 @@ struct CompressedImage {
   std::string data;
 };
 
-/// The message of a camera without rectification: r is the identity and p is k.
+/// Camera without rectification: r is the identity, and p equals k.
 struct CameraInfo {
   static constexpr std::string_view kType = "sensor_msgs/CameraInfo";
   Header header;
@@ -137,7 +138,7 @@ struct PointField {
   Datatype datatype = kFloat32;
 };
 
-/// One row of points, little-endian, each of them a measurement.
+/// Points in one row, little-endian, without missing points.
 struct PointCloud2 {
   static constexpr std::string_view kType = "sensor_msgs/PointCloud2";
   Header header;
@@ -146,10 +147,11 @@ struct PointCloud2 {
   std::vector<std::uint8_t> data;
 };
 
-/// Layers of numbers on the squares of a plane; NaN: unknown. Not published live.
+/// Layers of numbers on a grid; NaN: unknown. Only bags contain it.
 ///
-/// Model   rows run down x, columns down y, both from the corner with the largest x and y; a layer
-///         is stored column by column. Only `elevation` is needed for a square to be valid.
+/// Model   Row index grows with decreasing x and column index with decreasing y, so index (0, 0) is
+///         at the largest x and y. A layer is stored in column-major order. A cell is valid if
+///         `elevation` is.
 /// Source  ANYbotics/grid_map, grid_map_msgs, branches ros2 (master of ROS 1 has the header in the
 ///         message's `info`) and grid_map_ros, GridMapRosConverter.
 struct GridMap {
@@ -169,20 +171,20 @@ struct GridMap {
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 
-/// The contents of a received message are unchecked.
+/// Lever commands to a simulation. The content of a received message is not validated.
 struct DeltaCan {
   static constexpr std::string_view kType = "tera_msgs/DeltaCAN";
-  /// The header's stamp, unconverted.
+  /// Stamp in the header, not converted.
   std::int32_t stamp_sec = 0;
   std::uint32_t stamp_nanosec = 0;
-  /// Lever positions in [-1, 1]; the travel levers drive forward at +1.
+  /// Lever positions in [-1, 1]. A travel lever at +1 drives forward.
   float slew = 0, boom = 0, arm = 0, bucket = 0;
   float left_travel = 0, right_travel = 0, blade = 0, swing = 0;
-  bool enable = false;          ///< false: the machine holds still
-  bool hydraulic_lock = false;  ///< no lever reaches the valves
-  bool high_speed = false;      ///< travel in the second gear
-  /// Positions of the levers without their own field, in the order of the machine's levers; empty:
-  /// neutral.
+  bool enable = false;          ///< false: the machine stands still
+  bool hydraulic_lock = false;  ///< true: levers have no effect on the valves
+  bool high_speed = false;      ///< true: second travel gear
+  /// Positions of levers that have no field of their own, in the order of the machine's levers;
+  /// empty: all neutral.
   std::vector<float> others;
 };
 

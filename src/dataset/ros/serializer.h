@@ -13,17 +13,17 @@
 
 namespace tera::ros {
 
-/// Byte layout of messages.
+/// Encoding of messages.
 enum class WireForm {
-  kCdr,  ///< ROS 2: aligned, after four bytes that name the form
+  kCdr,  ///< ROS 2: aligned, preceded by four bytes that identify the encoding
   kRos1  ///< ROS 1: packed
 };
 
-/// Serialises the fields of a message, little-endian.
+/// Serialises messages in little-endian order.
 ///
-/// Model   kCdr: a field of n bytes begins at a multiple of n after the first four bytes; strings
-///         include and count their final 0. kRos1: no padding, no final 0. Both: a 32-bit length
-///         precedes a sequence, but not an array.
+/// Model   kCdr: a number of n bytes is aligned to a multiple of n, counted after the first four
+///         bytes. A string includes a final 0, which counts in its length. kRos1: no padding and no
+///         final 0. Both: a sequence is preceded by its length in 32 bits, an array is not.
 /// Source  OMG CORBA 3.3, part 2, section 9.3 (CDR), with DDS-RTPS 2.3, section 10.2 for the first
 ///         four bytes; "ROS message serialization" of the ROS 1 wiki.
 class Serializer {
@@ -32,9 +32,8 @@ class Serializer {
 
   WireForm form() const { return form_; }
   const std::string& bytes() const { return bytes_; }
-  /// The bytes of the last message.
+  /// Moves the bytes of the last message out.
   std::string TakeBytes() { return std::move(bytes_); }
-  /// Resets for the next message.
   void Clear() {
     bytes_.clear();
     if (form_ == WireForm::kCdr) bytes_.append(kLittleEndianCdr);
@@ -75,13 +74,13 @@ class Serializer {
     PutLength(bytes.data.size());
     Append(bytes.data.data(), bytes.data.size());
   }
-  /// The fields of a message or a part. A ROS 1 header has a number, which is 0 here.
+  /// Writes the fields of a message or a part. The sequence number in a ROS 1 header is 0.
   template <HasFields T>
   void Put(const T& message) {
     if (form_ == WireForm::kRos1 && T::kType == Header::kType) Put(std::uint32_t{0});
     Fields(*this, message);
   }
-  /// A field in a call of Fields.
+  /// Called by Fields for each field.
   template <typename T>
   void operator()(std::string_view, const T& value) {
     Put(value);

@@ -16,36 +16,36 @@
 namespace tera {
 namespace {
 
-/// Rise time to full rate under the mildest rate limit of the search. A shorter rise is a motor's
+/// Shortest rise time to full rate under a rate limit of the search. A shorter rise is a motor's
 /// lag, which steps of the lever show.
 constexpr double kShortestRise_s = 0.08;
 
-/// Distance of the likelihood's kinks, over the range, for a parameter that shifts the instants of
-/// rate changes.
+/// Kink spacing (FreeParameter::kink) of parameters that shift the times of rate changes.
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
-constexpr double kLateToMeasure_s = 0.03;         ///< largest delay of a rate's measurement
-constexpr long kMostStepsToMeasure = 10;          ///< in time steps of a replay, for that delay
-constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< of a rate behind a slow and a slower valve
+constexpr double kLateToMeasure_s = 0.03;  ///< largest delay of the rate measurement
+constexpr long kMostStepsToMeasure = 10;   ///< upper bound of that delay, in time steps of a replay
+/// delay of the rate behind a slow and a slower valve
+constexpr double kLateByLags_s[] = {0.05, 0.08};
 
-/// Slower oscillations last as long as the motions between two changes of a lever.
+/// Lower bounds of frequencies. Slower oscillations last as long as the motion between two changes
+/// of a lever.
 constexpr double kSlowestRing_radps = 3, kSlowestFlex_radps = 2;
 
-/// Least duration of common motion of an axis and other functions of its pump.
+/// Least time in which an axis moves together with other functions of its pump.
 constexpr double kLeastTogether_s = 2;
-constexpr double kMostBent_rad = 0.5;  ///< largest deflection of a flexible link under the largest
-                                       ///< load
+constexpr double kMostBent_rad = 0.5;  ///< largest deflection of a flexible link
 
-/// Rates and loads of an axis in the log, which bound the sizes of candidates.
+/// Rates and loads of an axis in the log. They bound the sizes of candidates.
 struct Reach {
-  double full_rate_radps = 0, slower_rate_radps = 0;  ///< `slower`: of the slower direction
+  double full_rate_radps = 0, slower_rate_radps = 0;  ///< `slower`: in the slower direction
   double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
-  double nyquist_radps = 0;  ///< of the samples; faster oscillations alias (Shannon 1949)
+  /// Nyquist frequency of the samples; faster oscillations alias (Shannon 1949)
+  double nyquist_radps = 0;
 };
 
-/// The median interval between samples.
 double Interval_s(const MeasuredRate& measured, double step_s) {
   std::vector<double> interval_s;
   for (std::size_t k = 1; k < measured.at_step.size(); ++k) {
@@ -84,8 +84,8 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, const MeasuredRate&
   return reach;
 }
 
-/// Delays between a reader's sample of the lever and the change of rate. By steps up to the largest
-/// delay of the measurement; longer ones for drives that lag.
+/// Possible delays between a reading of the lever and the change of rate. They cover the
+/// measurement's delay in single steps, and longer delays of drives that lag.
 std::vector<double> Latenesses_s(double step_s) {
   const long most = std::min(std::lround(kLateToMeasure_s / step_s), kMostStepsToMeasure);
   std::vector<double> late_s;
@@ -94,9 +94,10 @@ std::vector<double> Latenesses_s(double step_s) {
   return late_s;
 }
 
-/// Starts for a reader that samples the lever periodically. Its likelihood is too sharp for a blind
-/// search, so the starts are the periods at which the rate changes. A lag delays the apparent
-/// phase, which must be right to a step of the replay.
+/// Starting values for a controller that reads the lever periodically (`input_hold`). The
+/// likelihood has too narrow a peak for a blind search. Therefore periods in the changes of the
+/// rate are starting values. A lag delays the apparent phase, which must be right to one step of
+/// the replay.
 std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis) {
   std::vector<std::vector<double>> starts = {{0.05, 0.0}, {0.1, 0.0},  {0.1, 0.5},
                                              {0.2, 0.0},  {0.2, 0.33}, {0.2, 0.67}};
@@ -116,8 +117,8 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_s,
                      CandidateList* out) {
-  // A command between two steps is split between both, unlike a delay of whole steps. From a spread
-  // of zero, no small step has an effect.
+  // A fractional delay splits a command between two steps. The spread starts above zero, because a
+  // small change from zero has no effect.
   out->Add("command_delay",
            {{.index = 0, .upper = kLongestDelay_s, .kink = step_s / kLongestDelay_s},
             {.index = 1, .upper = 0.2, .refines = true}},
@@ -133,14 +134,14 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_
   out->Add("rate_gain", {{0, 0.3, 4}}, {{0.9}, {1.15}, {0.75}, {2}});
 }
 
-/// Whether an oscillation with these numbers still shows when it swings back. Otherwise it is a
-/// lag, or an initial overshoot.
+/// True if the oscillation is still visible when it swings back. Otherwise it is a lag or an
+/// overshoot.
 bool Swings(const std::vector<double>& ring) {
   const double eta_radps = ring[0], beta_1ps = ring[1];
   return beta_1ps < eta_radps;
 }
 
-/// Starts with the first number, a frequency, limited to `most`; duplicates removed.
+/// Limits the first number of each start, a frequency, to `most`. Removes duplicates.
 std::vector<std::vector<double>> StartsUpTo(double most,
                                             const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> kept;
@@ -151,12 +152,12 @@ std::vector<std::vector<double>> StartsUpTo(double most,
   return kept;
 }
 
-/// Adds the candidates of the actuator's slot. A lag shorter than a step is invisible.
+/// Adds the candidates of the actuator slot. A lag shorter than a step is not observable.
 void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
   const double w = reach.full_rate_radps;
   out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
-  // A wider band, or a limit that hardly ever acts, would be a lag in disguise.
+  // A wider band, or a limit that rarely acts, would imitate a lag.
   out->Add(
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
@@ -181,8 +182,7 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
               {0, 0, 0, 0.8 * low + 0.2 * high},
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
-  // With less friction it would be a lag in disguise; with more, full levers would not move the
-  // axis.
+  // Less friction would imitate a lag. With more friction, full levers would not move the axis.
   const double w = reach.slower_rate_radps;
   out->Add("drive_friction",
            {{.index = 0,
@@ -199,13 +199,13 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   out->Add("backlash", {{0, 5e-4, 0.15, true, kKinkOfInstants}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;
-  // The stall load may be below the largest load, which the axis then cannot raise.
+  // The stall load may be below the largest load. The axis then cannot raise this load.
   out->Add("pressure_droop", {{0, 0.5 * load, 30 * load, true}, {1, 0, 0.5}},
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
   if (reach.is_joint && reach.nyquist_radps > kSlowestFlex_radps) {
     const double most = std::min(80.0, reach.nyquist_radps);
-    // Steel and oil oscillate; a higher damping would be a lag in disguise.
+    // Steel and oil oscillate. A higher damping would imitate a lag.
     out->Add("structural_flex",
              {{0, kSlowestFlex_radps, most, true},
               {1, 0.01, 0.5},
@@ -214,7 +214,8 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   }
 }
 
-/// Candidates of the pump, if the total demand exceeds that of the axis alone.
+/// Flow candidates of the pump. Their bounds follow from the total demand while functions move
+/// together.
 std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDemand& demand) {
   if (demand.together_s < kLeastTogether_s) return {};
   const Pump& pump = model.pumps[demand.pump];

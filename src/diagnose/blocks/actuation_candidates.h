@@ -11,20 +11,23 @@
 
 namespace tera {
 
-/// Candidates that the rate of a joint or gear can show: mechanisms of command_timing, lever_map,
-/// actuator, kinematic_gain and load_friction. Also of flow of the axis's pump, if the axis and
-/// another of the pump's functions move together long enough. Bounds and starts follow from the
-/// log: rates up to the axis's full one, loads up to the largest seen, oscillations up to the
-/// samples' Nyquist frequency. Mechanisms that the model already has may have wrong parameters.
-/// `measured` has the samples of one sensor that are new measurements.
+/// Candidates that are visible in the rate of a joint or running gear. They are the mechanisms of
+/// command_timing, lever_map, actuator, kinematic_gain and load_friction. Flow mechanisms of the
+/// axis's pump are added if the axis and another function of the pump move together for long
+/// enough.
 ///
-/// Omits   friction and payload: a motor with a demanded rate keeps it against both, so that they
-///         show only through pressure_droop.
+/// The log gives bounds and starting values: rates up to the axis's full rate, loads up to the
+/// largest measured load, oscillations up to the samples' Nyquist frequency. Mechanisms that the
+/// model already has stay candidates, because their parameters may be wrong. `measured` contains
+/// only new measurements of one sensor.
+///
+/// Omits   Friction and payload: a rate-controlled motor holds its rate against both. They are
+///         visible only through pressure_droop.
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured,
                                         const std::optional<PumpDemand>& pump);
 
-/// The loss of the axis's commands, `command_drops`, at times unknown to a replay.
+/// Candidate `command_drops`, the loss of commands at times that a replay cannot know.
 std::vector<Candidate> LossOfAxis(const MachineModel& model, std::size_t axis);
 
 }  // namespace tera

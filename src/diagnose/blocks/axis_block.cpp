@@ -19,27 +19,27 @@ namespace tera {
 namespace {
 
 constexpr std::ptrdiff_t kFewestSamples = 200;
-/// Time after which a repeating rate without a lever counts as missing.
+/// A rate that repeats longer than this without a lever counts as missing.
 constexpr double kLongestRepeat_s = 1;
-constexpr int kLeverLags = 12;  ///< of the lever, in the flexible regressor
+constexpr int kLeverLags = 12;  ///< in the flexible regressor
 constexpr double kLongestLeverLag_s = 0.8;
-/// Certain share of the model's effort: samples that need more are excluded.
+/// The drive surely has this share of the model's effort. Samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;
-/// Largest share of moving samples excluded for that; with more, none is.
+/// If a larger share of the moving samples would be excluded, none is excluded.
 constexpr double kMostExcludedShare = 0.4;
-/// Least share of a lever's time out of neutral in which it returns, for its direction to be a
-/// variable.
+/// Least share of the lever's active time in which it returns to neutral. Below it, the direction
+/// of lever motion is no variable.
 constexpr double kLeastReturnShare = 0.1;
 constexpr std::size_t kOtherLevers =
-    4;                                ///< index of the first variable that is another axis's lever
-constexpr double kMovedLever = 0.05;  ///< another lever above it counts as moved
-/// Standard deviations of nominal numbers; a nuisance may be off by two of them (likelihood.h).
-/// Rates: a data sheet is right to 3 %. Full effort over inertia: effort, masses and their
-/// positions err by about 3 % each, and inertia is quadratic in position.
+    4;  ///< index of the first variable that is the lever of another axis
+constexpr double kMovedLever = 0.05;  ///< another lever counts as moved above this value
+/// Standard deviations of nominal numbers. Two of them bound a nuisance (likelihood.h). Rates: data
+/// sheets are right within 3 %. Full effort over inertia: effort, masses and their positions have
+/// errors of about 3 % each, and inertia is quadratic in position.
 constexpr double kNominalRate = 0.015, kNominalEffort = 0.07;
 
-/// Whether most samples of a moving axis repeat the previous one bit for bit, as those of a slower
-/// measurement do.
+/// True if most samples of the moving axis repeat the previous one exactly. The measurement is then
+/// slower than the samples.
 bool IsHeld(const std::vector<double>& rate_radps) {
   std::size_t moving = 0, repeated = 0;
   for (std::size_t i = 1; i < rate_radps.size(); ++i) {
@@ -50,8 +50,8 @@ bool IsHeld(const std::vector<double>& rate_radps) {
   return 2 * repeated > moving;
 }
 
-/// Samples that are new measurements: for a held rate, those that differ from the previous one.
-/// Rates that repeat for long without a lever are excluded in any case.
+/// Samples that are new measurements. In a held rate these are the samples that differ from the
+/// previous one. Rates that repeat for long without a lever are excluded too.
 MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   const bool held = IsHeld(measured.rate_radps);
   MeasuredRate fresh = measured;
@@ -94,7 +94,8 @@ MeasuredRate WithinItsEffort(const AxisReplay& replay, MeasuredRate measured) {
   return measured;
 }
 
-/// A quantity of the log's steps, interpolated to the grid.
+/// A quantity of the log's steps on the grid: the value of the last step at or before each grid
+/// point.
 template <typename Value>
 Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& measured,
                const Value& value_at_step) {
@@ -107,7 +108,7 @@ Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& m
   return series;
 }
 
-/// Functions of a lever that represent the response of a valve.
+/// Functions of a lever that span valve responses.
 std::array<double, 5> ShapesOf(double u) {
   const auto beyond = [&](double dead) {
     return std::copysign(std::max(0.0, std::abs(u) - dead), u);
@@ -115,7 +116,7 @@ std::array<double, 5> ShapesOf(double u) {
   return {u, u * std::abs(u), beyond(0.1), beyond(0.25), u > 0 ? 1.0 : (u < 0 ? -1.0 : 0.0)};
 }
 
-/// Columns of the lever times time and times the other levers.
+/// Columns: the lever times time, and the lever times the magnitude of each other lever.
 Eigen::MatrixXd ByTimeAndOthers(const Series& lever, const std::vector<Series>& others) {
   const auto rows = static_cast<Eigen::Index>(lever.size());
   Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(2 + 2 * others.size()));
@@ -132,7 +133,7 @@ Eigen::MatrixXd ByTimeAndOthers(const Series& lever, const std::vector<Series>& 
   return columns;
 }
 
-/// Columns of the lever's functions at several lags, and of the lever times position and load.
+/// Columns: ShapesOf the lever at several lags, and products of the lever with position and load.
 Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const Series& load) {
   const auto rows = static_cast<Eigen::Index>(lever.size());
   const double spread = std::max(RobustScale(position.value), 1e-9);
@@ -177,13 +178,13 @@ Eigen::MatrixXd NominalColumns(const AxisReplay& replay, const SampleGrid& grid)
   const Eigen::VectorXd faster = predict(1, 0) - nominal, slower = predict(-1, 0) - nominal;
   const Eigen::VectorXd stronger = predict(0, 1) - nominal, weaker = predict(0, -1) - nominal;
   Eigen::MatrixXd columns(nominal.size(), 5);
-  // The second-order columns are for two standard deviations at a coefficient of two.
+  // The second-order columns represent two standard deviations at a coefficient of two.
   columns << (faster - slower) / 2, faster + slower, (stronger - weaker) / 2, stronger + weaker,
       2 * (predict(1, 1) - nominal - faster - stronger);
   return columns;
 }
 
-/// The flexible regressor from the variables of VariablesOf.
+/// `variables` are those of VariablesOf.
 Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;
@@ -196,7 +197,7 @@ Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) 
   return columns;
 }
 
-/// The effects with a structure's terms: those of slot flow act on the pump, the others on the
+/// Effects with a structure's terms. Terms in the slot `flow` act on the pump, the others on the
 /// axis.
 AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   Structure of_axis, of_pump;
@@ -206,7 +207,7 @@ AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   return {WithTerms(present.axis, of_axis), WithTerms(present.pump, of_pump)};
 }
 
-/// The directions of an axis's lever at each step.
+/// Direction of motion of an axis's lever at each step.
 std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   std::vector<double> ways;
   LeverWay way;
@@ -214,8 +215,8 @@ std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   return ways;
 }
 
-/// Whether the lever returns for long enough to separate its direction from its sign. Under full
-/// levers alone it does not.
+/// True if the lever returns to neutral often enough to separate its direction of motion from its
+/// sign. Steps to full lever and back are not enough.
 bool ReturnsOften(const AxisLog& log, std::size_t axis, const std::vector<double>& ways) {
   std::size_t out = 0, back = 0;
   for (std::size_t k = 0; k < log.steps; ++k) {
@@ -226,7 +227,8 @@ bool ReturnsOften(const AxisLog& log, std::size_t axis, const std::vector<double
   return static_cast<double>(back) > kLeastReturnShare * static_cast<double>(out);
 }
 
-/// Variables of an axis: lever, position, load, time; the other levers from index kOtherLevers on.
+/// Variables of an axis: lever, position, load and time. The levers of the other axes follow from
+/// index kOtherLevers on.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
   const std::size_t own = measured.axis;
@@ -252,7 +254,7 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
   return variables;
 }
 
-/// The chain of an axis, without the mechanisms that the model already has.
+/// Nominal numbers of an axis. Only candidates of the list give it a pump or a cylinder.
 AxisChain ChainOf(const MachineModel& model, std::size_t axis,
                   const std::vector<Candidate>& candidates) {
   AxisChain chain{.axis = NameOfAxis(model, axis)};
@@ -311,7 +313,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.name = NameOfAxis(model, axis);
   block.slides = channel.unit == "m/s";
   block.first_ns = measured.t_ns.front();
-  // Other levers act on the axis only through its position and load, which are measured.
+  // Other levers act on the axis only through its position and load, and these are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.candidates = CandidatesOfAxis(model, log, fresh, replay.pump());

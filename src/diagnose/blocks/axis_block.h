@@ -8,28 +8,33 @@
 
 namespace tera {
 
-/// Block of one joint or gear of a machine: its measured rate against that of the actuation chain
-/// for its lever. Positions and loads are the measured ones.
+/// Makes the block of one joint or running gear. Its measured rate is compared with the rate that
+/// the actuation chain predicts from the lever. Position and load are the measured ones. `measured`
+/// is an index into log.measured.
 ///
-/// Model   the grid has the samples' median period. A sample is at the nearest grid point; its
-///         prediction is for its own time. Gaps: samples at end stops, and rates that repeat for a
-///         second. If most samples repeat the previous one bit for bit, only the others are
-///         measurements. Flexible regressor: the lever, its signed square, its excess over dead
-///         bands and its sign, each at twelve lags up to 0.8 s; the lever times position and load.
-///         Nominal numbers: rate at full lever, full effort over inertia, known to 7 %.
-/// Omits   pumps that deliver less than their demand.
+/// Model   The grid has the median period of the samples. Each sample is assigned to the nearest
+///         grid point, and its prediction is for the sample's own time. Samples at end stops are
+///         gaps. So are rates that repeat for over a second without a lever. If most samples repeat
+///         the previous one exactly, only changed samples count.
+///         The flexible regressor has the lever, its signed square, its excess over dead bands, and
+///         its sign. Each is at up to twelve lags, up to 0.8 s. It also has products of the lever
+///         with position, load, time and other levers. Nominal numbers: rate at full lever,
+///         standard deviation 1.5 %; ratio of full effort to inertia, standard deviation 7 %.
+/// Omits   Pumps that deliver less than the demand.
 ///
-/// `measured` is an index into log.measured. Copies what it needs of model and log. None if the
-/// axis has no lever or too few samples.
+/// Copies what it needs of `model` and `log`. Returns nothing if the axis has no lever or too few
+/// samples.
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured);
 
-/// Replay's discrepancy of an axis's rate, on the grid of the block of `log`. It is the rate in a
-/// simulation of the whole machine, minus that of the actuation chain under the same levers at the
-/// simulated positions. It contains the pull of other joints and the support of the ground.
+/// Discrepancy of the replay of one axis, on the grid of the block of `log`. It is the rate in a
+/// whole-machine simulation minus the rate of the actuation chain alone. Both use the same levers
+/// and the simulated positions. The discrepancy contains the pull of other joints and the support
+/// of the ground.
 ///
 /// `simulated` is a log of the simulation under the same levers, with error-free rates at the times
-/// of `log`. After its end the discrepancy is 0. Empty without a block.
+/// of `log`. After the end of the simulation, the discrepancy is 0. Returns an empty list if the
+/// axis has no lever or too few samples.
 std::vector<double> RateDiscrepancy(const MachineModel& model, const AxisLog& log,
                                     const AxisLog& simulated, std::size_t measured);
 

@@ -11,20 +11,20 @@ namespace {
 
 constexpr std::array kLags_s = {0.0, 0.06, 0.15, 0.3, 0.6, 1.0};
 constexpr double kDelayStep_s = 0.04, kLongestReadDelay_s = 0.7;
-constexpr std::size_t kMostReadRows = 3000;  ///< enough samples to determine the ramps
-constexpr Eigen::Index kWidestBand = 16;     ///< knots of the widest dead band: 0.8 of full lever
+constexpr std::size_t kMostReadRows = 3000;  ///< samples used; enough to determine the ramps
+constexpr Eigen::Index kWidestBand = 16;     ///< knots in the widest dead band: 0.8 of full lever
 constexpr std::size_t kMostReadings = 3;
-/// Starting values without a reading: from zero effect, no small step changes anything.
+/// Starting values in place of a zero estimate, because fits have no gradient at zero effect.
 constexpr double kLeastBand = 0.02, kSpreadShare = 0.2, kLeastLag_s = 0.02;
 
 /// Static map of one direction: zero up to `dead`, then linear with `gain` up to `limit`.
 struct Ramp {
   double dead = 0, limit = 1, gain = 0;
   Eigen::VectorXd shape;  ///< at the knots, for a gain of 1
-  double taken = 0;       ///< explained energy of the measurement
+  double taken = 0;       ///< energy of the measurement that the ramp explains
 };
 
-/// Shapes of all ramps between knots.
+/// All ramps with corners at knots.
 const std::vector<Ramp>& RampsBetweenKnots() {
   static const std::vector<Ramp> shapes = [] {
     std::vector<Ramp> all;
@@ -44,7 +44,7 @@ const std::vector<Ramp>& RampsBetweenKnots() {
   return shapes;
 }
 
-/// The ramp of positive gain that explains most; zero gain if none explains any.
+/// The ramp with positive gain that explains most energy. Its gain is zero if none explains any.
 Ramp BestRamp(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull) {
   Ramp best{.shape = Eigen::VectorXd::Zero(kMapKnots)};
   for (const Ramp& ramp : RampsBetweenKnots()) {
@@ -58,14 +58,15 @@ Ramp BestRamp(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull) {
   return best;
 }
 
-/// The chain at one lag and delay.
+/// Estimate of the chain at one lag and delay. `left` is the unexplained energy.
 struct ReadChain {
   double lag_s = 0, delay_s = 0, left = 0;
   bool has_cylinder = false;
   Ramp positive, negative;
 };
 
-/// The ramps of both directions, the larger first, each given the other.
+/// Estimates the ramp of each direction in turn, given the other. The positive direction is
+/// estimated again at the end.
 void ReadRamps(const MapProducts& products, ReadChain* out) {
   const auto of = [&](Eigen::Index row, Eigen::Index column) {
     return products.information.block(row, column, kMapKnots, kMapKnots);
@@ -81,7 +82,7 @@ void ReadRamps(const MapProducts& products, ReadChain* out) {
   out->left = products.energy - 2 * map.dot(products.pull) + map.dot(products.information * map);
 }
 
-/// The best delay for a lag, with or without the cylinder's gain.
+/// The estimate with the best delay for one lag. `weight` is the cylinder's gain, or one.
 ReadChain ReadAtLag(const Channel& channel, const std::vector<Eigen::Index>& rows, double lag_s,
                     const Eigen::VectorXd& weight) {
   const Series& lever = channel.variables[0].series;
@@ -97,7 +98,7 @@ ReadChain ReadAtLag(const Channel& channel, const std::vector<Eigen::Index>& row
   return best;
 }
 
-/// Mean of both directions, and the relative excess of the positive one over it.
+/// Mean of two values, and half their difference over the mean.
 std::vector<double> MeanAndAsymmetry(double positive, double negative) {
   const double mean = 0.5 * (positive + negative);
   return {mean, mean > 0 ? 0.5 * (positive - negative) / mean : 0};
@@ -126,7 +127,7 @@ std::vector<Reading> ReadingsOf(const AxisChain& chain, ReadChain read) {
       {"pressure_droop", chain.axis, {}}};
   if (!chain.pump.empty()) readings.push_back({"flow_sharing", chain.pump, {}});
   if (read.has_cylinder) {
-    // The angle of unit gain is redundant with rate_gain.
+    // The fourth parameter, the angle of unit gain, is redundant with rate_gain.
     readings.push_back(
         {"cylinder_lever", chain.axis, {0, 0, 0, chain.cylinder_reference_rad}, {3}});
   }

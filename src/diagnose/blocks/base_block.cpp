@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t kFewestIntervals = 100;
 constexpr int kLags = 4;  ///< of the sides' speeds, in the flexible regressor
 constexpr double kLongestLag_s = 0.5;
-/// Friction of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch.
-/// 1), and half of it for loose or wet ground, an estimate.
+/// Friction coefficients. Firm: asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th
+/// ed. 2008, ch. 1). Loose: half of it, an estimate for loose or wet ground.
 constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
-/// Yaw rate that loose ground may withhold, over the RMS yaw rate while turning. Samples above it
-/// are excluded.
+/// Largest tolerated lag of the yaw rate on loose ground, relative to the RMS yaw rate while
+/// turning. Samples with a larger lag are excluded.
 constexpr double kMostHeldBackShare = 0.1;
-constexpr double kLeastTurning_radps = 0.02;  ///< below it a machine stands or drives straight
-/// Least peak speed of a side for a machine that drives.
+constexpr double kLeastTurning_radps = 0.02;  ///< below it the machine stands or drives straight
+/// A machine drives if a side reaches this speed.
 constexpr double kLeastDriven_mps = 0.1;
 
 std::vector<Candidate> CandidatesOf(const MachineModel& model) {
@@ -48,7 +48,7 @@ std::vector<Candidate> CandidatesOf(const MachineModel& model) {
   return out.Take();
 }
 
-/// Input of the base's replay in each interval: speeds of both sides by their gears, and slopes.
+/// Input of the base's replay per interval: speeds of both sides from their gears, and slopes.
 struct Course {
   std::vector<double> left_mps, right_mps, roll_rad, pitch_rad, time_s;
 };
@@ -113,8 +113,8 @@ std::vector<RegimeVariable> VariablesOf(const Course& course, const SampleGrid& 
           {"time", grid.SpreadSeries(course.time_s, all)}};
 }
 
-/// A side's speed over its maximum, as a command. Constant zero for a machine that only stands,
-/// since it would be encoder noise.
+/// A side's speed divided by its maximum, as a command. The divisor is at least kLeastDriven_mps,
+/// so that encoder noise of a standing machine gives no command.
 Series CommandOf(const std::vector<double>& speed_mps, const SampleGrid& grid) {
   double fastest = kLeastDriven_mps;
   for (const double v : speed_mps) fastest = std::max(fastest, std::abs(v));
@@ -129,8 +129,8 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
-/// Changes of the forward speed where the ground limits the machine's acceleration, a column for
-/// each grip. A coefficient of one standard deviation is the whole change.
+/// Changes of the forward speed where the ground limits the machine's acceleration, one column per
+/// grip. A coefficient of one standard deviation gives the whole change.
 Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const SampleGrid& grid,
                          const std::vector<Grip>& grips) {
   const BaseReplay replay(model, log);
@@ -147,8 +147,7 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
-/// RMS of the yaw rate while the machine turns, regardless of standstill; infinite if it never
-/// turns.
+/// RMS of the yaw rate over the time in which the machine turns. Infinite if it never turns.
 double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
   double sum = 0, count = 0;
   for (const double rate_radps : yaw_radps) {
@@ -159,8 +158,8 @@ double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
   return count > 0 ? std::sqrt(sum / count) : INFINITY;
 }
 
-/// Grid points at which loose ground cannot provide the yaw rate at once: the machine's inertia
-/// lags behind its tracks.
+/// Grid points at which loose ground cannot provide the yaw rate at once. There the machine's
+/// inertia makes it lag behind its tracks.
 std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
                                const SampleGrid& grid, const Grip& loose) {
   const BaseReplay replay(model, log);
@@ -176,12 +175,12 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
-/// Changes of the motion of the contact's middle if the machine turns about another point, with the
-/// measured yaw rate: one forward and two to the left.
+/// Changes of the motion of the contact area's middle if the machine turns about another point.
+/// They use the measured yaw rate: one column forward, two to the left.
 ///
-/// Model   turning_centre.h. On a side slope the centre also moves along the tracks until friction
-///         holds the weight's lateral part. The shift is L tan(roll) / (2 mu) for a contact of
-///         length L that slides sideways, with the friction `mu` of firm ground.
+/// Model   turning_centre.h gives the point. On a side slope, the point also moves along the tracks
+///         until lateral friction holds the machine. This shift is L tan(roll) / (2 mu), with the
+///         contact length L and the friction mu of firm ground.
 struct TurningAside {
   Eigen::VectorXd forward_mps;
   Eigen::MatrixXd left_mps;
@@ -252,9 +251,10 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   forward << HeldBack(model, log, grid, {firm, loose}), aside.forward_mps;
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps, forward);
   add("/left_mps", "m/s", &PlanarTwist::left_mps, aside.left_mps);
-  // Yaw has no such columns: they would hide arrival stamps of real recordings.
+  // Nominal columns for yaw would hide arrival stamps of real recordings.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
-  // If stamps may be those of arrivals, such samples show when the poses were measured, and stay.
+  // Lagging samples stay if stamps may be arrival times, because they show when the poses were
+  // measured.
   if (!log.may_be_arrivals)
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};

@@ -7,27 +7,27 @@
 
 namespace tera {
 
-/// Block of a machine's base: its motion over the ground (forward, left, yaw) by measured poses,
-/// against that of the ground slot for the measured gear rates.
+/// Makes the block of a machine's base. Measured poses give its motion over the ground (forward,
+/// left, yaw). The ground slot predicts this motion from the measured gear rates.
 ///
-/// Model   the grid has the median length of the log's intervals. Flexible regressor: both sides'
-///         speeds, their magnitudes, and both times the slopes, at lags up to half a second.
-///         Nominal numbers: the distance of the turning centre from the middle of the tracks, by
-///         the machine's masses (turning_centre.h) and, on a side slope, by friction. The distance
-///         is one standard deviation.
-/// Omits   forces on tools; friction that varies with place.
+/// Model   The grid has the median length of the log's intervals. The flexible regressor has the
+///         mean and half the difference of both sides' speeds. It also has their magnitudes and
+///         their products with the slopes. Each is at lags up to 0.5 s. Nominal numbers shift the
+///         turning centre from the middle of the tracks: by the machine's masses (turning_centre.h)
+///         and, on a side slope, by friction. Each shift is one standard deviation.
+/// Omits   Forces on tools; friction that varies with place.
 ///
 /// `name` prefixes the channels' names: "excavator1/base". Measured poses may be delayed, some more
-/// than others (measured_poses.h). None with too few intervals.
+/// than others (measured_poses.h). Returns nothing with fewer than 100 intervals.
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
                                          const std::string& name, bool poses_were_measured);
 
-/// Replay's discrepancy of the base's motion, a list for each channel on the grid of the block of
-/// `log`. It is the motion in a simulation of the whole machine, minus that of the ground slot for
-/// the simulated gear rates. It contains slip on soil and rocking.
+/// Discrepancy of the replay of the base's motion, one list per channel on the grid of the block of
+/// `log`. It is the motion in a whole-machine simulation minus the motion of the ground slot alone.
+/// Both use the simulated gear rates. The discrepancy contains slip on soil and rocking.
 ///
-/// `simulated` is a log of the simulation at the times of `log`. After its end the discrepancy is
-/// 0. Empty without a block.
+/// `simulated` is a log of the simulation at the times of `log`. After the end of the simulation,
+/// the discrepancy is 0. Returns an empty list with too few intervals.
 std::vector<std::vector<double>> MotionDiscrepancy(const MachineModel& model, const BaseLog& log,
                                                    const BaseLog& simulated);
 

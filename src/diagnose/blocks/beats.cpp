@@ -12,13 +12,13 @@
 namespace tera {
 namespace {
 
-constexpr double kWindow_s = 60;  ///< length of the part in which peaks are searched
-/// Frequencies per 1 / length: in the search for a peak, and in its refinement.
+constexpr double kWindow_s = 60;  ///< part of the recording in which peaks are searched
+/// Frequency steps per 1 / length, in the search for peaks and in their refinement.
 constexpr double kCoarse = 4, kFine = 64;
 
-constexpr double kBin_s = 0.01;  ///< changes within it count as one
+constexpr double kBin_s = 0.01;  ///< changes within this time count as one
 
-/// Sizes of a quantity's changes, and the middles of their sample intervals.
+/// Absolute changes minus their mean, at the middles of their sample intervals.
 struct Changes {
   std::vector<double> t_s, size;
 
@@ -50,7 +50,7 @@ Changes ChangesOf(const std::vector<double>& t_s, const std::vector<double>& val
   return changes;
 }
 
-/// The changes of the minute with most change.
+/// The changes of the minute with the greatest energy of change.
 Changes Liveliest(const Changes& all) {
   std::size_t from = 0, best_from = 0, best_to = 0;
   double energy = 0, most = -1;
@@ -81,8 +81,8 @@ struct Peak {
   double frequency_hz = 0, height = 0;
 };
 
-/// The periodogram at evenly spaced frequencies: each change's phasor turns by a constant angle
-/// between them.
+/// Periodogram at evenly spaced frequencies. From one frequency to the next, the phasor of each
+/// change turns by a constant angle.
 std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double step_hz,
                               std::size_t count) {
   const auto size = static_cast<Eigen::Index>(changes.t_s.size());
@@ -101,7 +101,7 @@ std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double s
   return height;
 }
 
-/// The local maxima of the periodogram, the highest first.
+/// Local maxima of the periodogram, in descending order.
 std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highest_hz,
                           double steps_of_resolution) {
   const double step_hz = 1 / (steps_of_resolution * changes.length_s());
@@ -117,7 +117,7 @@ std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highe
   return peaks;
 }
 
-/// The frequency of the highest peak near a frequency.
+/// Frequency of the highest peak within `around_hz` of a frequency.
 double Highest(const Changes& changes, double frequency_hz, double around_hz,
                double steps_of_resolution) {
   const std::vector<Peak> peaks =

@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// A period of recurring events, at t = (k + phase) period.
+/// Events that recur at t = (k + phase) period, with integer k.
 struct Beat {
   double period_s = 0;
   double phase = 0;     ///< 0 to 1
-  double strength = 0;  ///< share of the changes in phase, 0 to 1
+  double strength = 0;  ///< 0 to 1: length of the mean phasor of the changes
 };
 
 struct BeatOptions {
@@ -16,12 +16,14 @@ struct BeatOptions {
   std::size_t most = 3;
 };
 
-/// The strongest periods in the times at which a measured quantity changes. A quantity set
-/// periodically changes so.
+/// Finds the strongest periods in the times at which a measured quantity changes. A quantity that a
+/// program sets periodically changes at such times.
 ///
-/// Model   Rayleigh periodogram of the absolute differences between samples, minus their mean, over
-///         the minute with most change. Its highest peaks are refined over the whole recording.
-/// Omits   gradual changes: the phase is that of a change's start only if it is sudden.
+/// Model   Rayleigh periodogram of the absolute differences between samples, minus their mean. It
+///         covers the minute with most change. Its highest peaks are refined over the whole
+///         recording.
+/// Omits   Gradual changes: the phase is that of the start of a change only if the change is
+///         sudden.
 /// Source  Mardia and Jupp 2000, "Directional statistics", ch. 6 (Rayleigh's statistic).
 ///
 /// `t_s` ascends. Differences over gaps of more than two median periods are ignored.

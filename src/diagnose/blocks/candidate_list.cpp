@@ -9,11 +9,11 @@
 namespace tera {
 namespace {
 
-/// Factors on a mechanism's present main parameter, as starts of the search for a wrong value.
+/// Factors on the present main parameter, as starting values of the search for a wrong value.
 constexpr double kChanges[] = {1.04, 0.96, 1.15, 0.87, 1.5, 0.67, 2.5, 0.4};
 
-/// Bounds widened to include the present value. Unchanged if the parameter moves by ratios and its
-/// present value is not positive, hence unreachable.
+/// Widens bounds to include the present value. Bounds of a logarithmic parameter stay unchanged if
+/// its present value is not positive, because it is unreachable.
 FreeParameter Around(FreeParameter free, double present) {
   if (free.logarithmic && present <= 0) return free;
   free.lower = std::min(free.lower, present);
@@ -21,7 +21,7 @@ FreeParameter Around(FreeParameter free, double present) {
   return free;
 }
 
-/// Parameter values with which a mechanism has no effect.
+/// Parameter values at which a mechanism has no effect.
 std::vector<double> WithoutEffect(const Mechanism& mechanism) {
   std::vector<double> values;
   for (const EffectParameter& parameter : mechanism.parameters) {

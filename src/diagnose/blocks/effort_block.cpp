@@ -15,13 +15,14 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestEfforts = 200;
-constexpr double kNominalMass = 0.03;  ///< relative standard deviation of mass, inertia and weight
-/// Quantile of the efforts' magnitudes that bounds the sizes of candidates.
+/// relative standard deviation of inertial effort and weight
+constexpr double kNominalMass = 0.03;
+/// Quantile of |effort| that counts as the largest effort.
 constexpr double kLargestQuantile = 0.99;
-/// Width of the flexible regressor's smoothed sign, over the largest rate.
+/// Width of the smoothed sign in the flexible regressor, relative to the largest rate.
 constexpr double kSignWidth = 0.02;
 
-/// The log's largest effort and rate, which bound the sizes of candidates.
+/// Largest effort and rate in the log. They bound the sizes of candidates.
 struct EffortReach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
@@ -51,7 +52,7 @@ std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& pre
   return out.Take();
 }
 
-/// The flexible regressor: friction of any form, by position, and the effort of a wrong mass.
+/// Columns for friction of any form, also by position, and for the effort of a wrong mass.
 Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
   const double w = LargestMagnitude(log.rate_radps), a = LargestMagnitude(log.acceleration_radps2);
   const double middle = Median(log.position_rad);
@@ -102,7 +103,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   return variables;
 }
 
-/// The rate over its maximum, as the command that separates manoeuvres.
+/// Rate divided by its maximum. It serves as the command that separates manoeuvres.
 Series CommandOf(const EffortLog& log, double largest_radps) {
   Series command = WholeSeries(log.measured.period_s, log.rate_radps);
   for (double& share : command.value) share /= largest_radps;
@@ -115,7 +116,7 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
   if (CountValid(given.measured.valid) < kFewestEfforts) return std::nullopt;
   const EffortReach reach = ReachOf(given);
   if (reach.rate_radps <= 0 || reach.effort_nm <= 0) return std::nullopt;
-  // The block's replay owns both.
+  // The replay shares ownership of both.
   const auto log = std::make_shared<const EffortLog>(std::move(given));
   const auto machine = std::make_shared<const MachineModel>(model);
   const Joint& joint = machine->joints[log->joint];

@@ -7,17 +7,18 @@
 
 namespace tera {
 
-/// Block of one joint's drive: its measured effort against the effort that its measured motion
-/// needs.
+/// Makes the block of one joint's drive. Its measured effort is compared with the effort that its
+/// measured motion needs.
 ///
-/// Model   candidates are the friction and offset of load_friction, with sizes by the log's largest
-///         effort and rate. `asymmetric_friction` is searched in one direction at a time, since
-///         more in both is no asymmetry. Flexible regressor: constant, sign, magnitude and powers
-///         of the rate, all by position, and the acceleration. Nominal numbers: mass or inertia,
-///         and weight, known to 3 %. The rate separates the manoeuvres.
-/// Omits   friction that grows with load; `payload`, which is a wrong mass.
+/// Model   Candidates are friction and offset mechanisms of the slot load_friction. The largest
+///         effort and rate of the log set their sizes. `asymmetric_friction` is searched for each
+///         direction separately, because an increase in both directions is symmetric. The flexible
+///         regressor has a constant, the rate's sign, magnitude and powers, their products with
+///         position, and the acceleration. Nominal numbers: inertial effort and weight, each with a
+///         standard deviation of 3 %. Manoeuvres are separated by the rate.
+/// Omits   Friction that grows with load; `payload`, which acts like a wrong mass.
 ///
-/// None with too few samples.
+/// Returns nothing with too few samples.
 std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog log);
 
 }  // namespace tera

@@ -17,22 +17,23 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kEnuColumns = {"/east_m", "/north_m", "/up_m"};
-constexpr std::size_t kMostPositions = 1200;  ///< compared positions of a receiver
-constexpr double kLargestYaw_deg = 135;       ///< of a pair; half a turn is an exchange
-constexpr double kPlacement_m = 0.01;    ///< standard deviation of an antenna's place on its link
+constexpr std::size_t kMostPositions = 1200;  ///< per receiver
+constexpr double kLargestYaw_deg = 135;       ///< rotation of a pair; half a turn is an exchange
+constexpr double kPlacement_m = 0.01;  ///< standard deviation of an antenna's position on its link
 constexpr double kLeastOffset_m = 1e-3;  ///< least standard deviation of a channel's offset
-/// A machine below these speeds is at rest.
+/// Below these speeds a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastBoomTurning_radps = 0.02;
-constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< half the interval of mean velocities
-/// Delays that the flexible regressor covers: short ones, and those between GPS time and UTC.
+/// half the interval over which velocities are averaged
+constexpr TimeNs kHalfSpan_ns = 250'000'000;
+/// Delays in the flexible regressor: short ones, and +-18 s between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
 using AxisSeries = std::array<std::vector<double>, 3>;
 
-/// The time grid of all receivers of a block.
+/// Time grid shared by all receivers of a block.
 struct CommonGrid {
-  std::vector<SampleGrid> of;      ///< by receiver, for its compared samples
-  std::vector<std::size_t> every;  ///< by receiver: every n-th sample is compared
+  std::vector<SampleGrid> of;      ///< per receiver, for its compared samples
+  std::vector<std::size_t> every;  ///< per receiver: every n-th sample is compared
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -49,7 +50,7 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
-/// Thinning factor of each receiver; a receiver with fewer positions is thinned less.
+/// Thinning factor per receiver. It is proportional to the number of positions.
 std::vector<std::size_t> ThinningOf(const GnssLog& log) {
   std::size_t most = 1;
   for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());
@@ -80,14 +81,15 @@ CommonGrid GridOf(const GnssLog& log) {
   return grid;
 }
 
-/// Motion of an antenna at its documented mount, on a grid.
+/// Motion of an antenna at its documented mount, on the grid.
 struct ReceiverCourse {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
   std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
-  std::vector<double> raised, raised_east, raised_north;  ///< of the boom
+  /// height and horizontal parts of the boom's direction
+  std::vector<double> raised, raised_east, raised_north;
   std::array<std::vector<Vec3>, kLate_s.size()>
-      away_m;  ///< earlier position relative to the present one, for each delay
+      away_m;  ///< per delay: earlier position minus present position
 };
 
 void AddBoom(const ReceiverLog& log, TimeNs t_ns, ReceiverCourse* course) {
@@ -131,7 +133,7 @@ ReceiverCourse CourseOf(const SensorDescription& receiver, const ReceiverLog& lo
   return course;
 }
 
-/// The flexible regressor of east, north or up.
+/// `axis`: 0 east, 1 north, 2 up.
 Eigen::MatrixXd FlexibleRegressor(const ReceiverCourse& course, int axis) {
   std::vector<double> sine, cosine, swing_sine, swing_cosine, time, square;
   const double last_s = std::max(course.time_s.back(), 1e-9);
@@ -173,7 +175,7 @@ Eigen::MatrixXd FlexibleRegressor(const ReceiverCourse& course, int axis) {
   return columns;
 }
 
-/// Changes of east, north or up by an antenna mounted slightly further ahead, and further left.
+/// Changes of east, north or up by an antenna 1 cm further ahead, and by one 1 cm further left.
 Eigen::MatrixXd PlacementColumns(const ReceiverCourse& course, std::size_t axis) {
   const auto size = static_cast<Eigen::Index>(course.yaw_rad.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, axis < 2 ? 2 : 0);
@@ -199,7 +201,7 @@ std::vector<RegimeVariable> VariablesOf(const ReceiverCourse& course, bool has_b
   return variables;
 }
 
-/// Values over their maximum, as a command; zero if even the maximum is below `least`.
+/// Values divided by their maximum, as a command. Values below `least` become zero.
 Series CommandOf(std::vector<double> values, double least, double period_s) {
   double largest = least;
   for (const double x : values) largest = std::max(largest, std::abs(x));
@@ -238,8 +240,8 @@ void AddCandidates(const SensorDescription& receiver, bool has_boom, bool is_pai
   std::move(found.begin(), found.end(), std::back_inserter(*candidates));
 }
 
-/// The candidates of a block. Exchange and rotation of a pair belong to the receiver for which the
-/// scenario states them, else to the first.
+/// Candidates of a block. Exchange and rotation of a pair belong to the second receiver if the
+/// scenario has them there, otherwise to the first.
 std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receivers,
                                     const GnssLog& log) {
   std::vector<Candidate> candidates;
@@ -265,7 +267,7 @@ AxisSeries Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m
   return split;
 }
 
-/// Whether a term acts on a receiver: it is the receiver's own, or exchanges or rotates the pair.
+/// True if a term acts on a receiver. Exchange and rotation act on both receivers of a pair.
 bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
     const std::string_view id = term.candidate->mechanism->id;
@@ -273,11 +275,12 @@ bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   });
 }
 
-/// Data owned by a block's replay.
+/// Data that the block's replay owns.
 struct ReplayData {
   std::vector<SensorDescription> receivers;
   GnssLog log;
-  std::vector<std::vector<Vec3>> documented_m;  ///< by receiver
+  /// per receiver: positions under the scenario's effects
+  std::vector<std::vector<Vec3>> documented_m;
 
   std::vector<std::vector<Vec3>> Predict(const Structure& terms) const {
     std::vector<Effects> effects;

@@ -9,29 +9,28 @@
 
 namespace tera {
 
-/// Block of one receiver, or of a pair: measured antenna positions (east, north, up) against those
-/// that follow from the measured motion. Exchange or rotation of a pair shows only in both
-/// together.
+/// Makes the block of one GNSS receiver or of a pair. Measured antenna positions (east, north, up)
+/// are compared with positions from the measured motion of the links. An exchange or rotation of a
+/// pair is visible only in both receivers together.
 ///
-/// Candidates of each receiver: `gnss_lever_arm`, `position_datum`, `height_datum`, `multipath`,
-/// `clock_offset`, `latency` and `filter_delay`. A pair also has `antenna_swap` and, on one link,
-/// `antenna_yaw`.
+/// Candidates of each receiver: `gnss_lever_arm`, `position_datum`, `height_datum`, `multipath`
+/// with a boom, `clock_offset`, `latency` and `filter_delay`. A pair also has `antenna_swap` and,
+/// on one link, `antenna_yaw`.
 ///
-/// Model   channels are relative to the documented antennas' positions, since any error would look
-///         small relative to the site's origin. Nuisances are the slow part of a receiver's
-///         documented noise, whose size is no datum, and a centimetre of the antenna's place on its
-///         link. Flexible regressor: heading, yaw rate, velocity, attitude, the raised part, time,
-///         and the antenna's positions seconds before and after. The first antenna's motion and
-///         rotation separate the manoeuvres.
-/// Omits   `float_jump`, which a receiver reports by its fix, `outliers`, `quantisation`,
-///         `clock_drift`; slow noise above the documented level, which counts as error.
+/// Model   Channels are relative to the positions of the documented antennas. Relative to the
+///         site's origin, every error would look small. Nuisances are the slow part of the
+///         receiver's documented noise, and 1 cm of the antenna's position on its link. The
+///         flexible regressor has heading, yaw rate, velocity, attitude, height of the boom, time,
+///         and the antenna's displacement over several delays. The motion and yaw rate of the first
+///         antenna separate the manoeuvres.
+///         Long recordings are thinned to every n-th position, at most 1200 per receiver. Filters
+///         act at the receiver's own rate.
+/// Omits   `float_jump`, which a receiver reports by its fix; `outliers`, `quantisation`,
+///         `clock_drift`. Slow noise above the documented level counts as error.
 ///
-/// A long recording is thinned to every n-th position, at most 1200 of a receiver. Filters act at
-/// the receiver's own rate.
-///
-/// Channels are in the receivers' folders, "excavator1/gnss_left/east_m". None if a receiver has
-/// fewer than 100 positions. Throws InputError if a receiver's positions are so uneven that most of
-/// its grid would be empty.
+/// Channels are named by the receivers' folders, "excavator1/gnss_left/east_m". Returns nothing if
+/// a receiver has fewer than 100 positions. Throws InputError if uneven positions would leave most
+/// of the grid empty.
 std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& receivers,
                                          GnssLog log, const std::string& machine);
 

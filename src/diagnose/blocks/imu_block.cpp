@@ -15,17 +15,18 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestImuIntervals = 100;
 constexpr std::size_t kQuantities = 6;
-/// Least correlation between successive intervals of a predicted quantity that shows motion.
+/// Least correlation of successive intervals in a predicted quantity that shows motion.
 constexpr double kLeastCorrelation = 0.3;
-constexpr double kLeastLinkTurning_radps = 0.02;  ///< of a link; below it the link is at rest
+/// a link is at rest if it always turns more slowly
+constexpr double kLeastLinkTurning_radps = 0.02;
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
-/// Lags of the flexible regressor's columns, in intervals.
+/// Lags in the flexible regressor, in intervals.
 constexpr std::array<std::size_t, 4> kImuLags = {0, 1, 2, 4};
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
-/// A value for the three rates and another for the three forces.
+/// One value for the three rates and another for the three forces.
 std::vector<double> Triads(double gyro, double accel) {
   return {gyro, gyro, gyro, accel, accel, accel};
 }
@@ -38,8 +39,9 @@ std::vector<FreeParameter> Axes(std::size_t first, double gyro_lower, double gyr
   return free;
 }
 
-/// Whether a predicted quantity shows motion, which persists between intervals. Differentiated
-/// encoder noise alternates in sign, and would favour any factor below 1.
+/// True if a predicted quantity shows motion, which persists between intervals. Differentiated
+/// encoder noise alternates in sign instead. A fit to such noise would prefer any scale factor
+/// below 1.
 bool IsExcited(const std::vector<double>& predicted) {
   double mean = 0, square = 0, next = 0;
   for (const double x : predicted) mean += x / static_cast<double>(predicted.size());
@@ -50,7 +52,6 @@ bool IsExcited(const std::vector<double>& predicted) {
   return next > kLeastCorrelation * square;
 }
 
-/// Whether the link never turned.
 bool IsAtRest(const Quantities& predicted) {
   return std::all_of(predicted.begin(), predicted.begin() + 3, [](const std::vector<double>& w) {
     return std::all_of(w.begin(), w.end(),
@@ -101,7 +102,7 @@ void AddDirections(CandidateList* out) {
             {180, 0, 0}});
   std::vector<std::vector<double>> flips = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0},
                                             {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  for (auto& axes : flips) axes.resize(9);  // flips of one triad are added elsewhere
+  for (auto& axes : flips) axes.resize(9);  // parameters 3 to 8: no flips in only one of the triads
   out->Add("axis_flip", {}, std::move(flips));
 }
 
@@ -133,7 +134,7 @@ std::vector<Candidate> CandidatesOf(const SensorDescription& sensor, const Quant
   return candidates;
 }
 
-/// The effects of a unit relative to poses with a latency: its clock then appears early.
+/// Effects of a unit, relative to poses with a latency. The unit's clock then appears to be behind.
 Effects WithPoseLatency(Effects effects, double late_s) {
   if (late_s == 0) return effects;
   const auto own = std::find_if(effects.begin(), effects.end(), [](const Effect& effect) {
@@ -147,7 +148,7 @@ Effects WithPoseLatency(Effects effects, double late_s) {
   return effects;
 }
 
-/// The quantities of samples, with forces relative to a mean.
+/// Splits samples into quantities. Forces are relative to `mean_f_S_mps2`.
 Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps2) {
   Quantities split;
   for (const ImuSample& sample : samples) {
@@ -160,8 +161,7 @@ Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps
   return split;
 }
 
-/// The flexible regressor: all predicted quantities at several lags, squares and changes of rates,
-/// and time.
+/// Columns: all predicted quantities at several lags, products and changes of the rates, and time.
 Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   const std::size_t rows = predicted[0].size();
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows),
@@ -186,7 +186,7 @@ Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   return columns;
 }
 
-/// Adds columns for a tilted map to the flexible regressor.
+/// Adds columns for a tilted map: cosine and sine of the heading.
 void AddHeading(const ImuLog& log, Eigen::MatrixXd* columns) {
   const Eigen::Index first = columns->cols();
   columns->conservativeResize(Eigen::NoChange, first + 2);
@@ -222,8 +222,8 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   return variables;
 }
 
-/// The rates about the three axes, each over its maximum, as commands that separate manoeuvres. At
-/// rest, a single command covers the recording.
+/// Rates about the three axes, each divided by its maximum. They serve as commands that separate
+/// manoeuvres. At rest, one command covers the whole recording.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
     return {WholeSeries(period_s, std::vector<double>(predicted[0].size(), 1.0))};
@@ -244,7 +244,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
                                         const std::string& channel, bool poses_were_measured) {
   if (std::count(given.known.begin(), given.known.end(), true) < kFewestImuIntervals) return {};
-  // The block's replay owns all three.
+  // The replay shares ownership of all three.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
   const auto described = std::make_shared<const SensorDescription>(sensor);
   const auto replay = std::make_shared<const ImuReplay>(*described, *log);

@@ -8,35 +8,35 @@
 
 namespace tera {
 
-/// Poses of a real recording are measurements themselves, by registration of scans. They are
-/// delayed, so that other measurements seem early. Their map starts with the machine's attitude,
-/// which need not be level, so that gravity seems to come from the side.
+/// Poses of a real recording are measurements, for example from scan registration. They may be
+/// delayed, and other measurements then appear early. The axes of their map follow the machine's
+/// initial attitude, which need not be level. Gravity then appears tilted.
 ///
-/// Frames  M map of the poses; L level, z up. They share their origin and, except for roll and
-///         pitch, their axes.
-/// Model   candidates of the target "poses". `latency`: stamps are later than the measurement; a
-///         sensor whose clock is behind shows the same. `arrival_stamps`: stamps are uneven times
-///         of arrival, while the poses were measured periodically (pose_times.h). `mount_rotation`:
-///         roll and pitch of the map from level.
-/// Omits   smoothing of poses by a filter; a map that bends.
+/// Frames  M map of the poses; L level frame, z up. Both have the same origin. Their axes differ
+///         only in roll and pitch.
+/// Model   Candidates with the target "poses". `latency`: stamps are later than the measurement. A
+///         sensor whose clock is behind has the same effect. `arrival_stamps`: stamps are uneven
+///         times of arrival of periodic measurements (pose_times.h). `mount_rotation`: roll and
+///         pitch of the map relative to level.
+/// Omits   Smoothing of poses by a filter; deformation of the map.
 inline constexpr std::string_view kPoses = "poses";
 
-/// Mechanisms of measured poses alone; no simulation has them.
+/// Mechanisms that only measured poses have. No simulation has them.
 std::span<const Mechanism> PoseMechanisms();
 
 Candidate PoseLatencyCandidate();
 Candidate ArrivalStampsCandidate();
 Candidate MapTiltCandidate();
 
-/// Latency of poses under a structure; 0 without such a term.
+/// Latency of poses under a structure; 0 without a latency term.
 double PoseLatency_s(const Structure& terms);
 
 bool HasArrivalStamps(const Structure& terms);
 
-/// R_ML, the level's axes in the map, under a structure.
+/// R_ML, the rotation of the level frame in the map, under a structure.
 Mat3 MapTilt(const Structure& terms);
 
-/// The structure without terms of poses.
+/// The structure without terms of the target "poses".
 Structure WithoutPoseTerms(Structure terms);
 
 }  // namespace tera

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-constexpr double kMostPlacesPerSample = 50;  ///< above it a grid is mostly empty
+constexpr double kMostPlacesPerSample = 50;  ///< with more, the grid is mostly empty
 
 double MedianStep_s(const std::vector<TimeNs>& t_ns) {
   std::vector<double> step_s;

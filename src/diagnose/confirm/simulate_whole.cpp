@@ -69,11 +69,10 @@ double PathLength_m(const std::vector<TruthPose>& poses) {
 
 class Comparison {
  public:
-  Comparison(const DiagnosisInput& input, const Measurements& measured, double base_interval_s,
+  Comparison(const DiagnosisInput& input, const Measurements& measured,
              const std::vector<DiagnosedBlock>& blocks)
       : input_(input),
         measured_(measured),
-        base_interval_s_(base_interval_s),
         blocks_(blocks),
         start_ns_(measured.start_ns),
         zero_ns_(ComparedFrom(ZeroOf(measured.start_ns), input.commands)) {}
@@ -98,7 +97,6 @@ class Comparison {
 
   const DiagnosisInput& input_;
   const Measurements& measured_;
-  double base_interval_s_;
   const std::vector<DiagnosedBlock>& blocks_;
   TimeNs start_ns_, zero_ns_;
 };
@@ -126,7 +124,7 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
   const ReplayBlock& block = diagnosed.block;
   const std::vector<TruthPose> poses = PosesOf(course, Until_s());
   if (!HaveCommonTime(*input_.model, measured_.encoders, poses)) return {};
-  const BaseLog log = MakeBaseLog(*input_.model, measured_.encoders, poses, base_interval_s_);
+  const BaseLog log = MakeBaseLog(*input_.model, measured_.encoders, poses, kBaseInterval_s);
   std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
   for (const BaseInterval& interval : log.intervals) {
     const double place =
@@ -251,10 +249,10 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
 }
 
 WholeSimulation SimulateWhole(const DiagnosisInput& input, const Measurements& measured,
-                              double base_interval_s, const std::vector<DiagnosedBlock>& blocks,
+                              const std::vector<DiagnosedBlock>& blocks,
                               const std::optional<SimulatedCourse>& before,
                               const SimulateMachine& simulate) {
-  return Comparison(input, measured, base_interval_s, blocks).Run(before, simulate);
+  return Comparison(input, measured, blocks).Run(before, simulate);
 }
 
 }  // namespace tera

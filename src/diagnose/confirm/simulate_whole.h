@@ -54,7 +54,7 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
 ///         intervals of 0.5 s.
 /// Omits   inertial units, whose findings have no effect here.
 WholeSimulation SimulateWhole(const DiagnosisInput& input, const Measurements& measured,
-                              double base_interval_s, const std::vector<DiagnosedBlock>& blocks,
+                              const std::vector<DiagnosedBlock>& blocks,
                               const std::optional<SimulatedCourse>& before,
                               const SimulateMachine& simulate);
 

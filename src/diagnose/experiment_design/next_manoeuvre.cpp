@@ -24,8 +24,8 @@ constexpr double kLeastTravel_s = 0.8;  ///< of an axis at full rate, though the
 constexpr double kFromStop_rad = 0.05;  ///< of a joint's own limits
 constexpr double kReturnLever = 0.4;    ///< on the way back to the middle of a range
 constexpr double kReturnRest_s = 0.8;
-constexpr double kShortestReturn_s = 0.05;  ///< a shorter way back is not driven
-constexpr double kFirstRest_s = 1;
+constexpr double kShortestReturn_s = 0.05;           ///< a shorter way back is not driven
+constexpr double kFirstRest_s = 1, kLastRest_s = 4;  ///< the last shows slow noise
 constexpr double kClassWeight = 3;  ///< of a pair of a class, over one of a mechanism not seen
 /// Least power at which an ambiguity set counts as discriminated.
 constexpr double kLeastPower = 0.5;
@@ -124,9 +124,6 @@ class Designer {
   void Drive(const Excitation& excitation, const AmbiguousAxis& axis);
   void GoToMiddle(const AxisRange& range);
   bool Stays(const PredictedRun& run) const;
-  PredictionSteps StepsOf(const AmbiguousAxis& axis) const {
-    return {options_.step_s, axis.diagnosed.block->period_s()};
-  }
   std::optional<ReplayBlock> RunSoFar(const AmbiguousAxis& axis) const;
   void AddManoeuvres(const AmbiguousAxis& axis);
   void Judge(const AmbiguousAxis& axis, NextManoeuvre* out) const;
@@ -172,14 +169,14 @@ std::vector<Excitation> Designer::Chosen(const AmbiguousAxis& axis) const {
   std::vector<double> begin_s, length_s;
   double at_s = 0;
   for (const Excitation& excitation : excitations) {
-    runs.push_back(
-        PredictRun(found_, excitation.moves, excitation.length_s, middle_rad, StepsOf(axis)));
+    runs.push_back(PredictRun(found_, excitation.moves, excitation.length_s, middle_rad,
+                              axis.diagnosed.block->period_s()));
     begin_s.push_back(at_s);
     length_s.push_back(excitation.length_s);
     at_s += excitation.length_s;
   }
   if (runs.empty()) return {};
-  const auto run = BlockOf(nominal_, Concatenated(runs), axis.range.axis, options_.step_s);
+  const auto run = BlockOf(nominal_, Concatenated(runs), axis.range.axis);
   if (!run) return {};
   std::vector<Segment> samples;
   const auto place_of = [&](double t_s) {
@@ -229,8 +226,7 @@ void Designer::GoToMiddle(const AxisRange& range) {
       "",
       {{0, range.axis, std::copysign(kReturnLever, away_rad)}, {hold_s, range.axis, 0}},
       hold_s + kReturnRest_s};
-  const PredictedRun run =
-      PredictRun(found_, back.moves, back.length_s, at_rad_, {options_.step_s, options_.step_s});
+  const PredictedRun run = PredictRun(found_, back.moves, back.length_s, at_rad_);
   at_rad_ = run.end_rad;
   for (LeverMove move : back.moves) {
     move.t_s += length_s_;
@@ -243,7 +239,7 @@ void Designer::GoToMiddle(const AxisRange& range) {
 /// Appends the first that stays within the ranges. If none does, only those moves are appended.
 void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
   const auto predicted = [&](const Excitation& one) {
-    return PredictRun(found_, one.moves, one.length_s, at_rad_, {options_.step_s, options_.step_s});
+    return PredictRun(found_, one.moves, one.length_s, at_rad_);
   };
   Excitation driven = excitation;
   PredictedRun run = predicted(driven);
@@ -274,9 +270,9 @@ void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
 std::optional<ReplayBlock> Designer::RunSoFar(const AmbiguousAxis& axis) const {
   std::vector<double> start_rad;
   for (const Joint& joint : nominal_.joints) start_rad.push_back(joint.initial_rad);
-  const PredictedRun whole =
-      PredictRun(found_, moves_, length_s_ + options_.rest_s, start_rad, StepsOf(axis));
-  return BlockOf(nominal_, whole, axis.range.axis, options_.step_s);
+  const PredictedRun whole = PredictRun(found_, moves_, length_s_ + kLastRest_s, start_rad,
+                                        axis.diagnosed.block->period_s());
+  return BlockOf(nominal_, whole, axis.range.axis);
 }
 
 /// Adds steps until a diagnosis has ample manoeuvres: a recording of too few is not judged, however
@@ -351,13 +347,12 @@ std::optional<NextManoeuvre> Designer::Design() {
     parts.push_back(DescriptionOf(axis.range.name, excitations));
   }
   if (out.discriminated.empty()) return std::nullopt;
-  length_s_ += options_.rest_s;
+  length_s_ += kLastRest_s;
   out.power = 1;
   for (const DiscriminatedSet& one : out.discriminated) out.power = std::min(out.power, one.power);
   std::vector<double> start_rad;
   for (const Joint& joint : nominal_.joints) start_rad.push_back(joint.initial_rad);
-  out.commands =
-      PredictRun(found_, moves_, length_s_, start_rad, {options_.step_s, options_.step_s}).commands;
+  out.commands = PredictRun(found_, moves_, length_s_, start_rad).commands;
   out.duration_s = length_s_;
   out.description = fmt::format("{}", fmt::join(parts, "; "));
   return out;

@@ -33,9 +33,7 @@ struct NextManoeuvre {
 };
 
 struct NextManoeuvreOptions {
-  double rest_s = 4;     ///< of all levers at the end, to show slow noise
-  double step_s = 0.01;  ///< of the replay
-  double alpha = 0.01;   ///< as in SearchOptions, over all tests together
+  double alpha = 0.01;  ///< as in SearchOptions, over all tests together
   std::size_t total_candidates = 0;
 };
 

@@ -82,8 +82,7 @@ void Measure(const std::vector<AxisMotion>& motion, std::size_t sample, double t
 }  // namespace
 
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
-                        double length_s, std::vector<double> start_rad,
-                        const PredictionSteps& steps) {
+                        double length_s, std::vector<double> start_rad, double period_s) {
   PredictedRun out;
   out.length_s = length_s;
   out.commands = CommandsOf(model, moves, length_s);
@@ -99,12 +98,12 @@ PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>&
   out.lowest_rad = out.highest_rad = start_rad;
   Actuation chain(model, {.machine = model.kind});
   LeversOverTime levers(model, moves);
-  const auto count = static_cast<std::size_t>(std::lround(length_s / steps.step_s));
+  const auto count = static_cast<std::size_t>(std::lround(length_s / kReplayStep_s));
   const auto load_stride =
-      static_cast<std::size_t>(std::max(1.0, std::round(kLoadPeriod_s / steps.step_s)));
+      static_cast<std::size_t>(std::max(1.0, std::round(kLoadPeriod_s / kReplayStep_s)));
   double next_sample_s = 0;
   for (std::size_t k = 0; k <= count; ++k) {
-    const double t_s = static_cast<double>(k) * steps.step_s;
+    const double t_s = static_cast<double>(k) * kReplayStep_s;
     if (k % load_stride == 0) {
       for (std::size_t j = 0; j < start_rad.size(); ++j) start_rad[j] = motion[j].position_rad;
       const std::vector<double> loads = GravityLoads_nm(model, Pose::Identity(), start_rad);
@@ -112,12 +111,12 @@ PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>&
     }
     if (t_s + 1e-9 >= next_sample_s) {
       Measure(motion, out.encoders.recording.samples.size(), t_s, &out.encoders.recording);
-      next_sample_s += steps.period_s;
+      next_sample_s += period_s;
     }
-    chain.Step(levers.At(t_s), motion, steps.step_s);
+    chain.Step(levers.At(t_s), motion, kReplayStep_s);
     for (std::size_t axis = 0; axis < motion.size(); ++axis) {
       motion[axis].rate_radps = chain.drives()[axis].rate_radps;
-      motion[axis].position_rad += motion[axis].rate_radps * steps.step_s;
+      motion[axis].position_rad += motion[axis].rate_radps * kReplayStep_s;
     }
     for (std::size_t j = 0; j < out.lowest_rad.size(); ++j) {
       out.lowest_rad[j] = std::min(out.lowest_rad[j], motion[j].position_rad);
@@ -164,8 +163,8 @@ PredictedRun Concatenated(const std::vector<PredictedRun>& runs) {
 }
 
 std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
-                                   std::size_t axis, double step_s) {
-  const AxisLog log = MakeAxisLog(model, run.commands, {run.encoders}, step_s);
+                                   std::size_t axis) {
+  const AxisLog log = MakeAxisLog(model, run.commands, {run.encoders}, kReplayStep_s);
   for (std::size_t m = 0; m < log.measured.size(); ++m) {
     if (log.measured[m].axis == axis) return MakeAxisBlock(model, log, m);
   }

@@ -21,26 +21,21 @@ struct PredictedRun {
   double length_s = 0;
 };
 
-/// Time steps of a prediction.
-struct PredictionSteps {
-  double step_s = 0.01;    ///< of the replay
-  double period_s = 0.01;  ///< of the encoders
-};
-
 /// Predicts a machine's motion under moves of its levers, from given positions of its joints.
 ///
 /// Model   the chain of actuation with the model's effects; a joint follows its drive's demand.
-///         Encoders measure it with only as much noise as keeps two samples from being equal.
+///         Encoders measure it every `period_s`, with only as much noise as keeps two samples from
+///         being equal.
 /// Omits   inertia, end stops, the ground.
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
                         double length_s, std::vector<double> start_rad,
-                        const PredictionSteps& steps);
+                        double period_s = kReplayStep_s);
 
 /// Runs joined in time, each from its own positions.
 PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
 
 /// The block of an axis over a predicted run; none if the run is too short.
 std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
-                                   std::size_t axis, double step_s);
+                                   std::size_t axis);
 
 }  // namespace tera

@@ -12,22 +12,22 @@
 
 namespace tera {
 
-/// A finding of a ranging sensor or camera: of the sensor itself, everywhere and at all times, or
-/// of the scene.
+/// A finding from a lidar, depth camera or colour camera. Without a `place`, it is an error of the
+/// sensor itself. With a `place`, the scene differs from the simulation there.
 struct PerceptionFinding {
-  /// Its errors are distances to the simulated surfaces or edges, on FINAL.
+  /// Its errors are distances to the simulated surfaces or edges, on the held-out part FINAL.
   Finding finding;
-  /// Place on the site of a finding in the scene.
+  /// Site area of a finding in the scene: centre and bounding box.
   struct Place {
     Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
   };
   std::optional<Place> place;
-  std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
+  std::vector<std::pair<double, double>> intervals_s;  ///< times of the difference; empty: always
 };
 
-/// Causes of the differences between one lidar's scans, or one camera's pictures, and their
-/// simulation on the recorded trajectory. The findings point into its candidates, so it is moved,
-/// never copied.
+/// Causes of the differences between one sensor's data and their simulation on the recorded
+/// trajectory. The sensor is a lidar, a depth camera or a colour camera. Findings point into this
+/// object's candidates, so it can be moved but not copied.
 struct PerceptionDiagnosis {
   PerceptionDiagnosis() = default;
   PerceptionDiagnosis(PerceptionDiagnosis&&) = default;
@@ -36,20 +36,20 @@ struct PerceptionDiagnosis {
   std::string channel;     ///< "excavator1/lidar_roof"
   std::string target;      ///< the sensor's name in the scenario
   std::string not_judged;  ///< reason; empty if judged
-  std::string unit = "m";  ///< of distances to the simulation; "px" for pictures
-  std::size_t scans = 0;   ///< or pictures
+  std::string unit = "m";  ///< of residual distances; "px" for pictures
+  std::size_t scans = 0;   ///< number of scans or pictures
   std::vector<Candidate> sensor_candidates;
-  std::deque<Candidate> scene_candidates;  ///< candidates of the scene that were found
-  double noise_rmse = 0;  ///< of the residual distances after a fit of all the sensor's candidates
-  std::vector<ParameterDetectability> detectability;  ///< of the sensor's candidates
-  GroundMap ground;  ///< under the fitted calibration; empty for pictures
+  std::deque<Candidate> scene_candidates;  ///< candidates of the findings in the scene
+  double noise_rmse = 0;                   ///< RMS residual after a fit of all sensor candidates
+  std::vector<ParameterDetectability> detectability;  ///< of the sensor candidates
+  GroundMap ground;  ///< compared under the fitted calibration; empty for pictures
   std::vector<PerceptionFinding> findings, unconfirmed;
 
   bool is_judged() const { return not_judged.empty(); }
   bool found_nothing() const { return findings.empty(); }
 };
 
-/// The diagnosis of a sensor that cannot be judged, for the reason `why`.
+/// A diagnosis with the reason `why` the sensor cannot be judged.
 inline PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
                                      const std::string& why) {
   PerceptionDiagnosis diagnosis;
@@ -59,7 +59,7 @@ inline PerceptionDiagnosis NotJudged(const std::string& channel, const std::stri
   return diagnosis;
 }
 
-/// Moves a registration's noise, detectability and findings into the diagnosis of its sensor.
+/// Moves the noise, detectability and findings of a registration into the sensor's diagnosis.
 inline void TakeOver(RegistrationSearch search, PerceptionDiagnosis* diagnosis) {
   diagnosis->noise_rmse = search.noise_rmse;
   diagnosis->detectability = std::move(search.detectability);

@@ -60,7 +60,8 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
   return DiagnoseScans(source, scenario.seed);
 }
 
-/// Renderer of pictures, if some sensor takes them. Without OpenGL these are not judged.
+/// Creates the picture renderer if a sensor takes pictures. Without OpenGL, these sensors are
+/// marked as not judged.
 std::unique_ptr<PictureCaster> PainterFor(
     std::vector<RecordedSensor>* sensors,
     const std::function<std::unique_ptr<PictureCaster>()>& make) {

@@ -10,15 +10,15 @@
 
 namespace tera {
 
-/// Parts of a recording to compare, and the threads to use.
+/// Part of the recording to compare, and the number of threads.
 struct PerceptionOptions {
   RecordedPart part;
   int threads = 1;
 };
 
-/// Compares the lidar and camera data of a recording with their simulation on the recorded
-/// trajectory. Returns one list for each machine, with one entry for each of its recorded sensors.
-/// `names` are the machines' names in the recording.
+/// Compares recorded lidar and camera data with their simulation on the recorded trajectory.
+/// Returns one list per machine, with one entry per recorded sensor. `names` are the machines'
+/// names in the recording.
 ///
 /// Throws InputError for an invalid recorded file.
 std::vector<std::vector<PerceptionDiagnosis>> RunPerception(const Scenario& scenario,

@@ -23,6 +23,9 @@ struct MeasuredRate {
   std::vector<bool> is_free;
 };
 
+/// Step of the replay of axes, if encoders sample often enough.
+inline constexpr double kReplayStep_s = 0.01;
+
 /// Levers of one machine and the measured motion of its axes at even steps: input to the replay of
 /// the actuation chain. Axes are joints, then gears, in the model's order.
 ///

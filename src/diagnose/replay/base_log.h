@@ -10,6 +10,9 @@
 
 namespace tera {
 
+/// Interval for comparing the motion of base and inertial units.
+inline constexpr double kBaseInterval_s = 0.2;
+
 /// Rates of tracks or wheels in one step of time, and the attitude of the base.
 struct BaseInstant {
   std::vector<double> gear_rate_radps;  ///< one for each gear

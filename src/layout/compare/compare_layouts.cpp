@@ -39,9 +39,9 @@ std::vector<double> BlockBootstrap(const std::vector<double>& series, std::size_
   return means;
 }
 
-/// Ratio between the interval's width and the spread of resampled means, for a mean over k blocks.
-/// Resampled means scatter by sqrt((k - 1) / k) too little. Student's t accounts for the uncertain
-/// spread of k blocks.
+/// Factor from the spread of the resampled means to the half width of the interval, for a mean over
+/// k blocks. Resampled means scatter too little, by sqrt((k - 1) / k). Student's t accounts for the
+/// uncertainty of a spread estimated from k blocks.
 double WidthFactor(double blocks) {
   if (blocks < 2) return 1;
   const boost::math::students_t_distribution<> t(blocks - 1);
@@ -57,7 +57,7 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
   const auto tail = static_cast<std::size_t>(kTail * kResamples);
   const double wider = WidthFactor(static_cast<double>(series.size()) / static_cast<double>(block));
   const double sampling = kTwoSided95 * std::hypot(ErrorOf(first), ErrorOf(other));
-  // Equal layouts at every moment have no difference, whatever the sampling error.
+  // Layouts that agree at every moment do not differ, whatever their sampling errors.
   const bool same = std::all_of(series.begin(), series.end(), [](double x) { return x == 0; });
   if (same) return d;
   d.low = mean - std::hypot(wider * (mean - means[tail]), sampling);
@@ -69,7 +69,7 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
   return d;
 }
 
-/// Marks equivalent figures of a zone as doubted if one of them is undecided.
+/// Marks the seen share and the unseen volume of a zone as doubted if their verdicts differ.
 void DoubtByEachOther(std::vector<Difference>* differences) {
   for (Difference& seen : *differences) {
     if (seen.figure.measure != Measure::kSeenBy1) continue;
@@ -91,15 +91,14 @@ Difference::Verdict Difference::verdict() const {
 std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
                                 double block_s) {
   if (first.cycle == other.cycle && first.asked_sha256 != other.asked_sha256) {
-    throw InputError(fmt::format(
-        "'{}' and '{}' were asked other things of {}, or it was another scenario then; evaluate "
-        "both with one study over one cycle",
-        first.name, other.name, first.cycle));
+    throw InputError(
+        fmt::format("'{}' and '{}' have different studies or scenarios of {}; evaluate both with "
+                    "one study over one cycle",
+                    first.name, other.name, first.cycle));
   }
   if (first.cycle != other.cycle || first.t_s != other.t_s) {
     throw InputError(fmt::format(
-        "'{}' and '{}' were not looked at over the same moments of one cycle ({} and {}); evaluate "
-        "both over one",
+        "'{}' and '{}' cover different moments or cycles ({} and {}); evaluate both over one cycle",
         first.name, other.name, first.cycle, other.cycle));
   }
   const std::size_t n = first.t_s.size();

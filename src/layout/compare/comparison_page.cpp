@@ -18,12 +18,12 @@ namespace tera {
 namespace {
 
 constexpr std::array<const char*, 5> kColours = {"a", "b", "c", "d", "e"};
-constexpr char kUndecided[] = "no difference that this cycle can show";
+constexpr char kUndecided[] = "not distinguishable over this cycle";
 
-/// A figure of the page's summary.
 struct MainFigure {
   Measure measure;
-  const char *of, *words;  ///< `of` null: the digging shovel; empty: the only subject
+  /// `of` is the subject's name; null: the digging shovel; empty: the measure has no named subject.
+  const char *of, *words;
 };
 constexpr std::array<MainFigure, 7> kMain = {
     {{Measure::kSeenBy1, kAroundZone, "space seen"},
@@ -48,7 +48,7 @@ std::string CsvCell(const std::string& text) {
 
 std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
 
-/// A difference's magnitude and the bounds of its interval: shares in percentage points.
+/// Magnitude of a difference and the bounds of its interval. Shares are in percentage points.
 std::string SizeText(const Difference& d) {
   const double mean = std::abs(d.of_other - d.of_first);
   const double low = std::min(std::abs(d.low), std::abs(d.high));
@@ -67,7 +67,7 @@ std::string VerdictText(const Difference& d) {
   return (d.verdict() == Difference::Verdict::kBetter ? "better by " : "worse by ") + SizeText(d);
 }
 
-/// Quality of a layout in a main figure, 0 to 1.
+/// Quality of a layout in a main figure, from 0 (bad) to 1.
 double Goodness(const Figure& figure) {
   const double mean = std::clamp(MeanOf(figure), 0.0, 1.0);
   return IsMoreBetter(figure.id.measure) ? mean : 1 - mean;
@@ -101,7 +101,7 @@ std::string RadarAxes() {
   return svg;
 }
 
-/// A layout's main figures around the middle. Absent figures leave a gap.
+/// Polygon of a layout's main figures in the radar chart. Absent figures leave a gap.
 std::string RadarOutline(const LayoutReport& report, const std::string& colour) {
   std::array<const Figure*, kMain.size()> figures{};
   for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
@@ -135,9 +135,9 @@ std::string AbsentText(const std::vector<LayoutReport>& reports) {
       if (!FindFigure(report, IdOf(main, report))) absent.push_back(main.words);
     }
     if (absent.empty()) continue;
-    html +=
-        fmt::format("<p class=\"soft\">{} has no figure of: {}. The chart has a gap there.</p>\n",
-                    Escaped(report.name), fmt::join(absent, ", "));
+    html += fmt::format(
+        "<p class=\"soft\">{} lacks these figures: {}. The chart has a gap there.</p>\n",
+        Escaped(report.name), fmt::join(absent, ", "));
   }
   return html;
 }
@@ -159,12 +159,12 @@ std::string Key(const std::vector<LayoutReport>& reports) {
   return html + "</p>\n";
 }
 
-/// The other's value minus the first's, as a share of the map's scale; nothing if either has none.
+/// Map of other minus first, as a share of the map's scale. No value where either has none.
 PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
   PolarMap map = other;
   map.low = 0;
   map.ticks.clear();
-  map.high = 2;  // so that no difference is in the middle of the colours, and nothing is negative
+  map.high = 2;  // zero difference is at the middle of the scale, and no value is negative
   const double scale = first.high - first.low;
   for (std::size_t i = 0; i < map.value.size(); ++i) {
     const bool known = first.value[i] >= 0 && other.value[i] >= 0;
@@ -174,9 +174,9 @@ PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
 }
 
 std::string Maps(const std::vector<LayoutReport>& reports) {
-  std::string html = "<h2>What is seen around the machine</h2>\n" + MapLegend() +
-                     "<p class=\"soft\">Differences: blue where the other sees more often than the "
-                     "first, red where it sees less often.</p>\n";
+  std::string html = "<h2>Coverage around the machine</h2>\n" + MapLegend() +
+                     "<p class=\"soft\">Difference maps: blue where the other layout sees more "
+                     "often than the first, red where it sees less often.</p>\n";
   const LayoutReport& first = reports.front();
   const std::vector<double> none;
   for (const PolarMap& map : first.maps) {
@@ -199,11 +199,10 @@ std::string Maps(const std::vector<LayoutReport>& reports) {
 }
 
 std::string Curves(const std::vector<LayoutReport>& reports) {
-  std::string html =
-      "<h2>From where a person is detected</h2>\n" + Key(reports) +
-      "<p class=\"soft\">Line: the farthest, mean over the cycle; filled: at the worst "
-      "moment of each direction. " +
-      QuartersText() + "</p>\n<div class=\"figures\">\n";
+  std::string html = "<h2>Detection ranges of people</h2>\n" + Key(reports) +
+                     "<p class=\"soft\">Line: farthest distance, mean over the cycle. Filled: "
+                     "farthest distance at the worst moment of each direction. " +
+                     QuartersText() + "</p>\n<div class=\"figures\">\n";
   for (const PolarCurve& curve : reports.front().curves) {
     std::vector<PolarCurve> curves;
     std::vector<std::string> colours;
@@ -229,13 +228,13 @@ std::string Expenses(const std::vector<LayoutReport>& reports) {
   return html + "</ul>\n";
 }
 
-/// The difference relative to the larger value.
+/// The difference as a share of the larger value.
 double RelativeSize(const Difference& d) {
   const double most = std::max(std::abs(d.of_first), std::abs(d.of_other));
   return most > 0 ? std::abs(d.of_other - d.of_first) / most : 0;
 }
 
-/// Counts of better and worse figures of the other layout, and its largest losses.
+/// Number of figures in which the other layout is better and worse, and its largest losses.
 std::string BalanceText(std::vector<Difference> differences) {
   std::stable_sort(
       differences.begin(), differences.end(),
@@ -248,12 +247,12 @@ std::string BalanceText(std::vector<Difference> differences) {
     if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(Describe(d.figure));
   }
   std::string text = fmt::format(
-      "better in {} of {} figures, worse in {}, {} without a difference that this cycle can show",
-      better, differences.size(), worse.size(), undecided);
+      "better in {} of {} figures, worse in {}, not distinguishable over this cycle in {}", better,
+      differences.size(), worse.size(), undecided);
   constexpr std::size_t kNamed = 6;
   const std::size_t more = worse.size() - std::min(kNamed, worse.size());
   worse.resize(worse.size() - more);
-  if (!worse.empty()) text += fmt::format(". Worse above all: {}", fmt::join(worse, "; "));
+  if (!worse.empty()) text += fmt::format(". Largest losses: {}", fmt::join(worse, "; "));
   return more > 0 ? fmt::format("{}; and {} more", text, more) : text;
 }
 
@@ -285,7 +284,7 @@ std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& report
     const std::vector<Difference> differences = Compare(reports.front(), reports[l]);
     const std::string pair = reports[l].name + " against " + reports.front().name;
     words.push_back(fmt::format("{}: {}.", pair, BalanceText(differences)));
-    words.push_back(fmt::format("{} takes {}; {} takes {}.", reports[l].name,
+    words.push_back(fmt::format("Expense of {}: {}; of {}: {}.", reports[l].name,
                                 ExpenseText(reports[l].expense), reports.front().name,
                                 ExpenseText(reports.front().expense)));
     for (const MainFigure& main : kMain) {
@@ -320,9 +319,9 @@ std::string ComparisonPage(const std::vector<LayoutReport>& reports) {
     html += fmt::format("<p>{}</p>\n", Escaped(line));
   }
   html +=
-      "<p class=\"soft\">Intervals are of 95 %, by a block bootstrap over the moments of the "
-      "cycle and by the places that were tried. The share of a zone that is seen and the volume of "
-      "it that is not are one quantity: a difference is told only where both show it.</p>\n";
+      "<p class=\"soft\">Intervals cover 95 %. They come from a block bootstrap over the moments "
+      "of the cycle and from the number of sampled places. The seen share and the unseen volume of "
+      "a zone are one quantity: a difference counts only if both show it.</p>\n";
   html += "<h2>What they take</h2>\n" + Expenses(reports) + Key(reports) + Radar(reports) +
           Maps(reports) + Curves(reports);
   for (std::size_t l = 1; l < reports.size(); ++l) html += Table(reports.front(), reports[l]);

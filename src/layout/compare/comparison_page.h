@@ -7,14 +7,15 @@
 
 namespace tera {
 
-/// A page that compares each of the other layouts with the first. It has sentences, a radar chart
-/// of the main figures, blind maps with their difference, people, and all figures.
+/// An HTML page that compares the first layout with each of the others. It has a summary, a radar
+/// chart of the main figures, blind maps with their difference, ranges of person detection, and a
+/// table of all figures.
 ///
 /// Throws  InputError as Compare does.
 std::string ComparisonPage(const std::vector<LayoutReport>& reports);
-/// The table of all figures and differences as CSV.
+/// All figures and their differences as CSV.
 std::string ComparisonCsv(const std::vector<LayoutReport>& reports);
-/// The words alone, for a terminal.
+/// The summary sentences of the page as plain text for a terminal.
 std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& reports);
 
 }  // namespace tera

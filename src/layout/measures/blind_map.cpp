@@ -39,8 +39,9 @@ std::vector<double> BlindMap::SeenShare() const {
 std::vector<Figure> BlindMap::Figures() const {
   const auto figure = [&](Measure measure, const std::vector<double>& blind_m2) {
     Figure f{{measure, fmt::format("{}", height_m_)}, blind_m2, {}};
-    // Treats the blind area as a disc. Its border crosses as many cells as it is rings long. In
-    // each of these its position is uniform across the ring, with independent errors.
+    // Error estimate: the blind area is treated as a disc. Its border crosses a number of cells
+    // equal to its length in ring widths. In each such cell the position of the border is uniform
+    // and independent.
     for (const double area_m2 : blind_m2) {
       const double border_m = 2 * std::sqrt(kPi * area_m2);
       const double cell_m2 = PolarGrid::kRing_m * EvenSigma(PolarGrid::kRing_m);

@@ -10,24 +10,24 @@
 
 namespace tera {
 
-/// Places around the machine that a layout sees at one height above the ground, over a cycle.
+/// Map of the places around the machine that a layout sees at one height above the ground.
 ///
-/// Model   tests the middle of each cell. Cells inside the machine's outline from above, inside
-///         something solid or off the site's ground do not count at that moment.
+/// Model   tests the centre of each cell. A cell does not count at moments when it lies inside the
+///         machine's outline from above, inside a solid object, or off the site.
 class BlindMap {
  public:
   explicit BlindMap(double height_m) : height_m_(height_m) {}
 
-  /// Adds the places of this moment at this height, without those in a machine's outline
+  /// Adds the places of this moment. The caller has excluded those inside the machine's outline
   /// (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const SeenFrom& seen,
            const Sighting& sighting);
 
   double height_m() const { return height_m_; }
-  /// Share of the moments at which each cell is seen, by PolarGrid::Index; negative if the cell
-  /// never counted.
+  /// Share of the counted moments at which each cell is seen, by PolarGrid::Index. Negative if the
+  /// cell never counted.
   std::vector<double> SeenShare() const;
-  /// "map/HEIGHT m/blind_m2_to_12m" and "_to_24m": the unseen area.
+  /// Unseen area within 12 m and from there to 24 m: "map/HEIGHT m/blind_m2_to_12m" and "_to_24m".
   std::vector<Figure> Figures() const;
 
  private:

@@ -52,8 +52,9 @@ void ZoneCoverage::Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout
   blind_m3_.push_back(air_m3 * (1 - share_[0].back()));
 }
 
-/// The cause of a blind place is shared equally between the viewers that look there, or is "out of
-/// view" if none does.
+/// Adds a blind place to the causes. The viewers that have it in view contribute equal shares, each
+/// to its own cause: the occluder, or "too far or too sparse". If no viewer has it in view, the
+/// cause is "out of view".
 void ZoneCoverage::CountCauses(const std::vector<Look>& looks, const Sighting& sighting) {
   std::vector<std::string> causes;
   for (const Look& look : looks) {

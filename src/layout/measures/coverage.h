@@ -11,45 +11,44 @@
 
 namespace tera {
 
-/// Coverage of a zone by a layout, moment by moment.
+/// Coverage of a zone by a layout at each moment.
 ///
-/// Model   counts the zone's places that lie in the air over the site (above its ground, in nothing
-///         solid). The figures are the shares that at least 1, 2, 3 viewers see, and the unseen
-///         volume. Places off the site do not count.
-/// Omits   the difference from the share of the zone's whole air beyond the standard error.
+/// Model   counts those sample places of the zone that lie over the site, above the ground and
+///         outside solid objects. The figures are the shares of these places that at least 1, 2 and
+///         3 viewers see, and the unseen volume.
+/// Omits   errors of the share beyond the standard error of sampling.
 class ZoneCoverage {
  public:
-  /// `count` places of the zone, the same at every moment in its frame.
+  /// Samples about `count` places. They are fixed in the zone's frame.
   ZoneCoverage(Zone zone, int count, std::uint64_t seed);
 
   const Zone& zone() const { return zone_; }
-  /// The zone's places in the air over the site at this moment, with the zone's frame F at X_WF.
-  /// They are the same for all layouts.
+  /// The zone's places that lie in the air over the site at this moment. X_WF is the pose of the
+  /// zone's frame F. The places are the same for all layouts.
   std::vector<Vec3> PlacesInAir(const Pose& X_WF, const Sighting& sighting,
                                 const TerrainSurface& ground) const;
-  /// Adds the view of `layout` on these places.
+  /// Adds a moment: the views of `layout` on these places.
   void Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout, const SeenFrom& seen,
            const Sighting& sighting);
 
   /// Whether any place lay in the air at any moment.
   bool HadPlaces() const;
-  /// Figures of the zone.
   std::vector<Figure> Figures() const;
-  /// Causes of the blind places: shares over all moments that sum to 1. A cause is the name of the
+  /// Causes of blind places, as shares over all moments that sum to 1. A cause is the name of the
   /// occluding part, "out of view", or "too far or too sparse".
   std::map<std::string, double> Causes() const;
-  /// For each pair of viewers: the places that both see, as a share of those that either sees.
-  /// Extrinsic calibration of the two needs overlap.
+  /// For each pair of viewers: the places that both see, as a share of the places that either sees.
+  /// Extrinsic calibration of a pair needs overlap.
   std::map<std::string, double> Overlaps() const;
-  /// The places in a viewer's field and reach with enough density, over all moments. Seen places,
-  /// and hidden places by the name of the occluding part.
+  /// Occlusion of one viewer: places within its field of view, range and density, over all moments.
+  /// They are either seen or hidden; hidden places are listed by occluding part.
   struct FieldOf {
     double seen = 0, hidden = 0;
     std::map<std::string, double> hidden_by = {};
 
     double SeenShare() const { return seen + hidden > 0 ? seen / (seen + hidden) : 0; }
   };
-  /// By the viewers' names.
+  /// One entry per viewer, by name.
   const std::map<std::string, FieldOf>& Fields() const { return fields_; }
 
  private:
@@ -63,8 +62,10 @@ class ZoneCoverage {
 
   Zone zone_;
   std::vector<Vec3> places_Z_m_;
-  std::vector<std::vector<double>> share_;  ///< seen by at least 1, 2, 3; one per moment
-  std::vector<std::size_t> in_air_;         ///< one per moment
+  /// [n - 1][moment]: share of places that at least n = 1, 2, 3 viewers see.
+  std::vector<std::vector<double>> share_;
+  /// Number of places in the air, one per moment.
+  std::vector<std::size_t> in_air_;
   std::vector<double> blind_m3_;
   std::map<std::string, double> causes_;
   std::map<std::string, Pair> pairs_;

@@ -89,7 +89,8 @@ std::vector<PolarMap> DetectionProbability::Maps() const {
   mean.value.assign(sum_.size(), -1);
   PolarMap worst = mean;
   worst.id.measure = Measure::kWorstProbabilityMap;
-  worst.title = fmt::format("The same of a {} person at the worst moment of each place", posture_);
+  worst.title = fmt::format(
+      "Probability that lidars detect a {} person, at the worst moment of each place", posture_);
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     if (moments_[i] == 0) continue;
     mean.value[i] = sum_[i] / moments_[i];

@@ -9,8 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr double kUnknown_m = 1;     ///< error of a map without points
-constexpr double kLeast_m2 = 1e-12;  ///< variance of a point of a noiseless sensor
+constexpr double kUnknown_m = 1;     ///< error at a moment without points
+constexpr double kLeast_m2 = 1e-12;  ///< lower bound on a point's variance, for noiseless sensors
 
 }  // namespace
 
@@ -62,12 +62,12 @@ void ElevationMap::Count(const std::vector<Cell>& cells) {
     const double gap = std::exp(-cell.points), has_points = -std::expm1(-cell.points);
     gaps += gap;
     measured += has_points;
-    // The weight belongs to the expected points; a non-empty cell has more.
+    // The weight is that of the expected points. A non-empty cell has more points on average.
     if (cell.points > 0) variance_m2 += has_points * (has_points / cell.weight_pm2);
   }
   cells_.push_back(cells.size());
   gaps_.push_back(gaps / std::max(1.0, static_cast<double>(cells.size())));
-  const double without_m = cells.empty() ? 0 : kUnknown_m;  // without cells the error is zero
+  const double without_m = cells.empty() ? 0 : kUnknown_m;  // without any cell the error is 0
   sigma_m_.push_back(measured > 0 ? std::sqrt(variance_m2 / measured) : without_m);
 }
 

@@ -16,18 +16,18 @@
 namespace tera {
 namespace {
 
-constexpr double kEyeStep_m = 0.05;  ///< between the places tested first
-constexpr int kHalvings = 6;         ///< bisections of a step, to refine the ends of a masking
+constexpr double kEyeStep_m = 0.05;  ///< distance between the places tested first
+constexpr int kHalvings = 6;         ///< bisections that refine each end of a masking
 constexpr int kHullSectors = 360;
 
-/// 1 sigma of a masking's width: both ends are uniform in the last half step.
+/// 1 sigma of a masking's width. The error of each end is uniform over the last bisected step.
 double WidthError_m() { return std::sqrt(2.0) * EvenSigma(kEyeStep_m / std::exp2(kHalvings)); }
 
-/// A closed line around the machine, parametrised by its length, counterclockwise.
+/// A closed line around the machine, parametrised by arc length, counterclockwise.
 struct ClosedLine {
   double length_m = 0;
   std::function<Vec2(double s_m)> at_H_m;
-  std::function<double(double length_m)> width_m;  ///< width of a masking of that length
+  std::function<double(double length_m)> width_m;  ///< width of a masking with this arc length
 };
 
 ClosedLine Circle(const Vec2& middle_H_m, double radius_m) {
@@ -69,7 +69,7 @@ ClosedLine RectangleAround(const std::vector<double>& hull_m, double margin_m) {
   return Rectangle(low_m - Vec2::Constant(margin_m), high_m + Vec2::Constant(margin_m));
 }
 
-/// The scene at one moment, from both lights.
+/// Inputs of a test of places at one moment.
 struct Moment {
   const EyeStudy& eye;
   const Pose& X_WH;
@@ -78,7 +78,7 @@ struct Moment {
   const Sighting& sighting;
 };
 
-/// The first instance before each of the two lights, if both are blocked.
+/// The occluding instance before each of the two lights, if both are occluded.
 using Before = std::optional<std::pair<std::uint16_t, std::uint16_t>>;
 
 std::optional<std::uint16_t> FirstOfMachine(const std::vector<Sighting::Crossing>& crossings,
@@ -122,7 +122,7 @@ std::vector<Edge> EdgesOf(const std::vector<Before>& before, double step_m) {
     if (before[i].has_value() == begins) continue;
     edges.push_back({i, begins, (static_cast<double>(i) + 0.5) * step_m});
   }
-  // A masking across the line's start is one masking.
+  // A masking across the line's start is a single masking.
   if (!edges.empty() && !edges.front().begins) {
     std::rotate(edges.begin(), edges.begin() + 1, edges.end());
   }
@@ -144,7 +144,7 @@ void Sharpen(const ClosedLine& line, double step_m, const Moment& now, std::vect
   }
 }
 
-/// Occluding parts of the places from `first` to `last`, largest share first.
+/// Parts that occlude the places from `first` to `last`, largest share first.
 std::vector<std::string> MaskedBy(const std::vector<Before>& before, std::size_t first,
                                   std::size_t last, const Sighting& sighting) {
   std::map<std::string, int> counts;
@@ -265,8 +265,8 @@ std::vector<std::string> EyeMasking::Warnings() const {
     if (!eye_.most_masking_m || worst == widest_m.end() || *worst <= *eye_.most_masking_m) return;
     const Masking& masking = *WidestOf(record.maskings[worst - widest_m.begin()]);
     warnings.push_back(fmt::format(
-        "eye: on the {}, {} mask{} {:.2f} m at azimuth {:.0f} deg; the study allows {:g} m "
-        "(most_masking_m): move the eye or what masks, or let a sensor look there",
+        "eye: on the {}, {} mask{} {:.2f} m at azimuth {:.0f} deg, more than the study allows "
+        "({:g} m, most_masking_m); move the eye or the masking part, or point a sensor there",
         name, fmt::join(masking.by, ", "), masking.by.size() == 1 ? "s" : "", masking.width_m,
         masking.azimuth_rad / kDeg, *eye_.most_masking_m));
   };

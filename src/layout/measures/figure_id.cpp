@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// A measure's name in files: `*` stands for the subject, `@` for the quarter.
+/// Name of a measure in files. `*` stands for the subject, `@` for the quarter.
 struct MeasureEntry {
   Measure measure;
   Subject subject;
@@ -16,7 +16,7 @@ struct MeasureEntry {
   bool more_is_better;
 };
 
-// Names that are prefixes of others come last.
+// A name that is a prefix of another comes after it.
 constexpr std::array<MeasureEntry, 35> kMeasures = {
     {{Measure::kSeenBy1, Subject::kZone, "zone/*/seen_by_1", "", true},
      {Measure::kSeenBy2, Subject::kZone, "zone/*/seen_by_2", "", true},
@@ -70,7 +70,8 @@ std::string WithQuarter(std::string_view name, std::optional<std::size_t> quarte
   return quarter ? filled.replace(at, 1, kQuarters[*quarter].name) : filled;
 }
 
-/// The text at the `*` of `pattern`, empty if there is no `*`; nothing if the name does not match.
+/// The subject in `name`: the text at the `*` of `pattern`, empty if the pattern has no `*`.
+/// Nothing if the name does not match.
 std::optional<std::string> SubjectIn(std::string_view name, std::string_view pattern) {
   const std::size_t star = pattern.find('*');
   if (star == pattern.npos) return name == pattern ? std::optional<std::string>("") : std::nullopt;

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The quantity that a figure, a map or a curve measures of its subject.
+/// What a figure, map or curve measures.
 enum class Measure {
   kSeenBy1,
   kSeenBy2,
@@ -37,7 +37,7 @@ enum class Measure {
   kExceedsLimit,
   kAngleSigma,
   kLengthSigma,
-  // Used by maps and curves only.
+  // Only for maps and curves:
   kSeenMap,
   kDetectedMap,
   kProbabilityMap,
@@ -47,14 +47,14 @@ enum class Measure {
   kPixelCurve,
 };
 
-/// The kinds of subject of a measure.
+/// The kind of object that a measure describes.
 enum class Subject {
   kZone,
-  kHeight,  ///< above the ground
+  kHeight,  ///< horizontal plane at a height above the ground
   kPosture,
   kShovel,
   kElevation,
-  kPurpose,  ///< purpose of a camera
+  kPurpose,  ///< purpose of a camera picture, see PixelDensity
   kAntenna,
   kOccupancy,
   kEntropy,
@@ -72,13 +72,13 @@ struct FigureId {
 };
 
 Subject SubjectOf(Measure measure);
-/// "" for shares.
+/// Empty for shares.
 std::string_view UnitOf(Measure measure);
 bool IsMoreBetter(Measure measure);
 
 /// The name in files: "zone/behind/seen_by_1".
 std::string NameOf(const FigureId& id);
-/// The inverse of NameOf; nothing for an unknown name.
+/// Inverse of NameOf. Empty for an unknown name.
 std::optional<FigureId> FigureIdOf(std::string_view name);
 
 }  // namespace tera

@@ -12,15 +12,16 @@
 namespace tera {
 namespace {
 
-constexpr double kSmall = 1e-4;       ///< step of derivatives, in rad, m and their rates
-constexpr double kLeastSigma = 1e-6;  ///< for sensors without noise, in their SI units
+constexpr double kSmall = 1e-4;       ///< step of numerical derivatives, in rad, m and their rates
+constexpr double kLeastSigma = 1e-6;  ///< lower bound on a measurement's noise, in SI units
 
-/// In SI units.
+/// Size of the figure's unit in SI units.
 double UnitSize(const FigureId& id) { return id.measure == Measure::kAngleSigma ? kDeg : 1; }
-constexpr double kOtherRate = 0.2;  ///< for joints without a stated greatest rate, rad/s or m/s
-constexpr double kKnown = 0.9;  ///< share of the prior deviation below which a number is observed
+constexpr double kOtherRate = 0.2;  ///< for joints without a maximum rate, rad/s or m/s
+/// Share of the prior deviation below which a quantity counts as observed.
+constexpr double kKnown = 0.9;
 
-/// Number of samples after `from_ns` and up to `to_ns` of a sensor that has always run.
+/// Number of samples after `from_ns` and up to `to_ns` of a sensor that samples periodically.
 double Due(const SampleClock& clock, TimeNs from_ns, TimeNs to_ns) {
   const auto passed = [&](TimeNs t_ns) {
     return std::floor(ToSeconds(t_ns - clock.start_ns) * clock.rate_hz + 1e-6);
@@ -184,7 +185,7 @@ Eigen::MatrixXd JointInformation::Slopes(Function function, const Motion& motion
     for (int order = 0; order < 3; ++order) {
       Eigen::VectorXd difference = (this->*function)(Moved(motion, c, order, kSmall)) -
                                    (this->*function)(Moved(motion, c, order, -kSmall));
-      // A heading may cross half a turn.
+      // The difference of headings may cross half a turn.
       if (function == &JointInformation::Placed) {
         difference.tail<1>()[0] = std::remainder(difference.tail<1>()[0], 2 * kPi);
       }
@@ -202,7 +203,7 @@ void JointInformation::Linearise(const Motion& middle, const Motion& end, double
   placed_ = Eigen::MatrixXd::Zero(placed.rows(), known_->size());
   for (std::size_t c = 0; c < Coordinates(); ++c) {
     const auto at = 3 * static_cast<Eigen::Index>(c);
-    // The middle lies half a step of the mean rate before the end.
+    // The position at the middle of the step is the final position minus half a step of mean rate.
     inertial_.col(MotionCovariance::At(c, kPosition)) = inertial.col(at);
     inertial_.col(MotionCovariance::At(c, kMeanRate)) =
         inertial.col(at + 1) - 0.5 * dt_s * inertial.col(at);
@@ -333,7 +334,7 @@ std::vector<Figure> JointInformation::Figures() const {
   for (const Asked& asked : asked_) {
     Figure figure{asked.id};
     for (const double sigma : asked.sigma) figure.at.push_back(sigma / UnitSize(asked.id));
-    figure.error.assign(figure.at.size(), 0);  // no sampling of places
+    figure.error.assign(figure.at.size(), 0);  // places are not sampled
     figures.push_back(std::move(figure));
   }
   return figures;
@@ -349,8 +350,8 @@ std::vector<std::string> JointInformation::Warnings() const {
   }
   if (unknown.empty()) return {};
   return {
-      fmt::format("state/: no inertial unit, encoder or antenna observes {}; in brackets the "
-                  "deviation of something anywhere in its travel",
+      fmt::format("state/: no inertial unit, encoder or antenna observes {}; the brackets give the "
+                  "deviation of a uniform distribution over the travel",
                   fmt::join(unknown, ", "))};
 }
 

@@ -12,33 +12,38 @@
 
 namespace tera {
 
-/// Accuracy of a machine's joint positions and heading from the inertial units, encoders and
-/// antennas of a layout. It is evaluated at each moment of a cycle's motion.
+/// Achievable accuracy of a machine's joint positions and heading, given the IMUs, encoders and
+/// GNSS antennas of a layout. The class evaluates it along the recorded motion of a cycle.
 ///
-/// Frames  W; the heading is that of the upper structure's x axis from above.
-/// Model   Fisher information of the state of MotionCovariance, with measurements linearised about
-///         the recorded motion. Coordinates: position and attitude of the root (unless it is fixed)
-///         and all movable joints.
-///         Prior: a joint is uniform in its travel (1 sigma travel / sqrt(12); for endless rotation
-///         360 / sqrt(12) = 104 deg). The root is within `kRootPlace_m` of its place, within
-///         `kTilt_rad` of level, at any heading. A joint's rate has the deviation of a uniform one
-///         up to its greatest (max / sqrt(3)), the root `kRootSpeed_mps` and `kRootRate_radps`. The
-///         machine rests for a while before the cycle begins.
-///         Measurements of a step of `kStep_s` have the white noise of the samples that fall due in
-///         it. Inertial units measure the means over the step of R_SW w_S + b_g and R_SW (a_S - g)
-///         + b_a. Encoders measure q, with noise^2 + resolution^2 / 12, and qd. Antennas measure
-///         p_WS + c. Biases b start with the size in the unit's model (root mean square over the
-///         axes) and walk by that model. c is the model's correlated error. Two antennas at the
-///         horizontal distance d thus give the heading to sqrt(2) sigma_horizontal / d at once, and
-///         gyroscopes carry it on.
-///         No number is worse than its prior. The figure of an unobserved number is its prior
+/// Frames  W. The heading is the direction of the upper structure's x axis, seen from above.
+/// Model   Fisher information of the state in MotionCovariance. Measurements are linearised about
+///         the recorded motion. The coordinates are the pose of the root (unless it is fixed) and
+///         the positions of all movable joints.
+///         Prior of a joint's position: uniform over its travel, so 1 sigma is travel / sqrt(12).
+///         Endless rotation has 360 / sqrt(12) = 104 deg.
+///         Prior of a joint's rate: uniform up to the maximum rate, so 1 sigma is max / sqrt(3).
+///         Prior of the root: position `kRootPlace_m`, tilt `kTilt_rad`, any heading,
+///         `kRootSpeed_mps` and `kRootRate_radps`.
+///         The machine rests for a while before the cycle begins.
+///         Each step of `kStep_s` has one measurement per channel. Its white noise is that of the
+///         samples that fall due in the step.
+///         IMUs measure the means over the step of R_SW w_S + b_g and R_SW (a_S - g) + b_a.
+///         Encoders measure q, with the variance noise^2 + resolution^2 / 12, and qd. Antennas
+///         measure p_WS + c.
+///         The biases b start with the size in the IMU's model (root mean square over the axes) and
+///         walk as in that model. c is the correlated error of the antenna's model.
+///         Two antennas at the horizontal distance d give the heading at once, to sqrt(2)
+///         sigma_horizontal / d. Gyroscopes maintain it.
+///         No figure exceeds its prior deviation. A figure that no sensor observes equals its prior
 ///         deviation, and Warnings names it.
-/// Omits   rounding of a noiseless encoder at rest, whose error stays; sensor effects except the
-///         mount; latencies; the change of an antenna's slow errors as it turns, so that slewing
-///         reduces them less than here; `bias_enu_m`, which the receivers of a machine share;
-///         inclinometers, lidars and cameras; joint limits; receivers that difference phases
-///         between antennas, which beat two independent solutions (0.20 deg at 1 m against some 0.6
-///         deg: NovAtel, OEM7 documentation, "Importance of Antenna Location for ALIGN").
+/// Omits   rounding of a noiseless encoder at rest, which leaves a constant error; sensor effects
+///         except the mount; latencies; `bias_enu_m`, which the receivers of a machine share;
+///         inclinometers, lidars and cameras; joint limits.
+///         Also the change of an antenna's slow errors as the antenna turns. Slewing therefore
+///         reduces them less than in this model.
+///         Also receivers that difference phases between antennas. They beat two independent
+///         solutions: 0.20 deg at 1 m against some 0.6 deg (NovAtel, OEM7 documentation,
+///         "Importance of Antenna Location for ALIGN").
 /// Source  Taylor 1979, "The Cramer-Rao estimation error lower bound computation for deterministic
 ///         nonlinear systems", IEEE Trans. Automatic Control 24(2) (information along a known
 ///         motion); MotionCovariance; noise: Imu, Encoder, Gnss.
@@ -53,20 +58,21 @@ class JointInformation {
   JointInformation(const MachineModel& model, int upper,
                    const std::vector<SensorDescription>& sensors, double rest_s = kRest_s);
 
-  /// Adds the machine after each step of the physics, including the first state.
+  /// Adds the machine's state after a step of the physics. The first call adds the initial state.
   void Add(TimeNs t_ns, const MachineState& machine);
-  /// Stores the current accuracy as the figures' next moment.
+  /// Stores the current accuracy as the next moment of the figures.
   void Keep();
 
-  /// "state/JOINT/sigma_deg" for each turning joint, "state/JOINT/sigma_m" for each sliding joint,
-  /// and "state/heading/sigma_deg" from all sensors. "state/heading_of_pair/sigma_deg" is the
-  /// accuracy from one sample of the best pair of antennas on one link.
+  /// "state/JOINT/sigma_deg" for each revolute joint, "state/JOINT/sigma_m" for each prismatic
+  /// joint, and "state/heading/sigma_deg" from all sensors. "state/heading_of_pair/sigma_deg" is
+  /// the accuracy from one sample of the best pair of antennas on one link.
   std::vector<Figure> Figures() const;
-  /// A sentence for each number that never improves on its prior by 10 %.
+  /// One sentence for each estimated quantity whose deviation never falls 10 % below its prior.
   std::vector<std::string> Warnings() const;
 
  private:
-  /// A sensor on a link, with the noise of one sample and the state index of its first slow error.
+  /// A sensor on a link. `sigma` is the noise of one sample; `error` is the state index of its
+  /// first slow error.
   struct Unit {
     int link = 0;
     Pose X_BS = Pose::Identity();
@@ -79,7 +85,7 @@ class JointInformation {
     SampleClock clock;
     double sigma = 0, rate_sigma = 0;
   };
-  /// An estimated number, with its deviation initially and at each moment.
+  /// An estimated quantity, with its prior deviation and its deviation at each moment.
   struct Asked {
     FigureId id;
     double prior = 0;
@@ -100,18 +106,19 @@ class JointInformation {
   /// `motion` with the position (order 0), rate (1) or acceleration (2) of a coordinate changed.
   Motion Moved(const Motion& motion, std::size_t coordinate, int order, double by) const;
   using Function = Eigen::VectorXd (JointInformation::*)(const Motion&) const;
-  Eigen::VectorXd Inertial(const Motion& motion) const;  ///< measurements of all units
+  Eigen::VectorXd Inertial(const Motion& motion) const;  ///< measurements of all IMUs
   Eigen::VectorXd Placed(const Motion& motion) const;    ///< antenna positions and the heading
-  /// Derivatives by positions, rates and accelerations, one column each, coordinate by coordinate.
+  /// Derivatives of `function` by the position, rate and acceleration of each coordinate; one
+  /// column each.
   Eigen::MatrixXd Slopes(Function function, const Motion& motion) const;
-  /// Derivatives by the numbers of the state.
+  /// Sets the derivatives of all measurements by the entries of the state.
   void Linearise(const Motion& middle, const Motion& end, double dt_s);
   /// The motion half way through the last step.
   Motion Middle(TimeNs t_ns, const MachineState& machine) const;
   void Step(const Motion& middle, const Motion& end, TimeNs from_ns, TimeNs to_ns);
   void Learn(const std::vector<Unit>& units, const Eigen::MatrixXd& rows, TimeNs from_ns,
              TimeNs to_ns);
-  /// Variance of one sample's position towards east, or north.
+  /// Variance of one sample's east position; north has the same.
   double EastVariance(const Unit& antenna) const;
   double PairSigma() const;
   void LearnFromEncoders(TimeNs from_ns, TimeNs to_ns);

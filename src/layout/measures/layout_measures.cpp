@@ -12,7 +12,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSeen = 0.01;  ///< share of a viewer's field below which it gets a warning
+/// Unoccluded share of a viewer's field below which it gets a warning.
+constexpr double kLeastSeen = 0.01;
 
 Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
   return {.name = kAroundZone,
@@ -69,8 +70,8 @@ PolarMap SeenMap(const BlindMap& map) {
 std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf& field) {
   if (field.hidden_by.empty()) {
     return fmt::format(
-        "{}: it sees nothing of the space around the machine, of which nothing lies in its field "
-        "near enough; need another direction or place",
+        "{}: it sees nothing around the machine: no place there lies within its field of view and "
+        "range; turn or move the sensor",
         viewer);
   }
   const auto most =
@@ -78,14 +79,13 @@ std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   constexpr double kPercent = 100;
   return fmt::format(
-      "{}: it sees {:.1f} % of what lies in its field in the space around the machine; {} hides "
-      "{:.0f} "
-      "% of that: need a place or direction with a free view",
+      "{}: it sees only {:.1f} % of the space around the machine that lies in its field of view; "
+      "{} hides {:.0f} %; move or turn the sensor to a free view",
       viewer, kPercent * field.SeenShare(), most->first,
       kPercent * most->second / (field.seen + field.hidden));
 }
 
-/// Whether any figure of the subject is requested; with `of`, a figure of that one.
+/// Whether a figure of this subject is requested. With `of`, only that subject's name counts.
 bool IsWanted(const WantedFigures& wanted, Subject subject, const std::string& of = "") {
   return !wanted || std::any_of(wanted->begin(), wanted->end(), [&](const FigureId& id) {
     return SubjectOf(id.measure) == subject && (of.empty() || id.of == of);
@@ -220,8 +220,8 @@ void LayoutMeasures::RequirePlaces() const {
     if (zone.HadPlaces()) continue;
     throw InputError(zone.zone().place,
                      {FaultKind::kOutOfRange,
-                      fmt::format("'{}' lies in the ground, in something solid or beyond the site "
-                                  "at every moment; need a zone with air over the site in it",
+                      fmt::format("'{}' lies in the ground, in a solid body or outside the site at "
+                                  "every moment; need a zone that contains air over the site",
                                   zone.zone().name)});
   }
 }

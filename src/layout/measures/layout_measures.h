@@ -25,24 +25,24 @@ namespace tera {
 /// The world at one moment of a cycle.
 struct LookedAt {
   const Instant& now;
-  const Sighting& sighting;  ///< set to that moment
+  const Sighting& sighting;  ///< shows the scene at that moment
   const TerrainSurface& ground;
 };
 
-/// The tested places of a moment, the same for all layouts.
+/// The test places at one moment, the same for all layouts.
 struct Places {
   Pose X_WH = Pose::Identity();  ///< as in PolarGrid
   std::vector<double> hull_m;    ///< HullRadii_m
   std::vector<std::vector<Vec3>> zones_W_m;
-  std::vector<PolarPlaces> maps;  ///< one per height
+  std::vector<PolarPlaces> maps;  ///< one per height of a map
   PolarPlaces pixels;
   std::vector<Occupant> occupants;
 };
 
-/// The requested figures; nothing means all.
+/// The figures to compute. Empty: all.
 using WantedFigures = std::optional<std::vector<FigureId>>;
 
-/// All measures of a study for one layout, accumulated moment by moment.
+/// All measures of a study for one layout. Moments are added one by one.
 class LayoutMeasures {
  public:
   /// Keeps references to all arguments except `layout` and `wanted`.
@@ -50,18 +50,18 @@ class LayoutMeasures {
                  const Layout& layout, const WantedFigures& wanted = std::nullopt);
 
   Places PlacesOf(const LookedAt& moment) const;
-  /// Adds a moment. The viewers of `layout` must be at their current poses.
+  /// Adds a moment. The viewers of `layout` must have their current poses.
   void Add(const LookedAt& moment, const Places& places, const Layout& layout);
-  /// Checks whether the viewers are mounted inside the machine.
+  /// Looks for viewers that are mounted inside the machine at this moment.
   void CheckMounts(const LookedAt& moment, const Layout& layout);
-  /// Warnings for viewers that are mounted inside the machine, or that see less than 1 % of their
-  /// field within the space around the machine.
+  /// Warnings for viewers inside the machine, and for viewers with less than 1 % of their field
+  /// unoccluded within the zone around the machine.
   std::vector<std::string> MountWarnings() const;
 
   /// Throws InputError if a zone had no place in the air at any moment.
   void RequirePlaces() const;
   std::vector<Figure> Figures() const;
-  /// Writes figures, maps, curves, causes, overlaps and warnings.
+  /// Writes figures, maps, curves, causes, overlaps and warnings into `report`.
   void Report(LayoutReport* report) const;
 
  private:
@@ -85,8 +85,8 @@ class LayoutMeasures {
   std::optional<PerceptionEntropy> entropy_;
   std::optional<SkyView> sky_;
   MountCheck mounts_;
-  std::vector<double> outline_m_;  ///< the maximum of HullRadii_m so far
-  std::set<std::string> flat_;     ///< viewers whose beams have one elevation
+  std::vector<double> outline_m_;  ///< maximum of HullRadii_m over the added moments
+  std::set<std::string> flat_;     ///< viewers whose beams have equal elevation
 };
 
 }  // namespace tera

@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Adds a joint's motion to `child`, which initially holds the motion of the joint's frame.
+/// Adds a joint's motion. `child` contains the motion of the joint's frame J on entry.
 void MoveByJoint(const Joint& joint, double q, double qd, double qdd, BodyState* child) {
   const Vec3 axis_W = child->X_WB.linear() * joint.axis_J;
   const Vec3 w_J_radps = child->w_WB_radps;

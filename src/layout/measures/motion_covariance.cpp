@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kW_radps = 1 / MotionCovariance::kResponse_s;
 
-/// Response to a unit impulse in acceleration: position, rate and acceleration after `t_s`.
+/// Response to a unit impulse in the acceleration: position, rate and acceleration after `t_s`.
 Vec3 AnswerToPush(double t_s) {
   const double x = kW_radps * t_s, e = std::exp(-x);
   return {(1 - e * (1 + x)) / (kW_radps * kW_radps), e * t_s, e * (1 - x)};
 }
 
-/// Transition matrix of position, rate and acceleration: the exponential of the process's matrix.
+/// Transition matrix of position, rate and acceleration: the matrix exponential of the process.
 Mat3 Transition(double t_s) {
   const double x = kW_radps * t_s, e = std::exp(-x);
   Mat3 F;
@@ -24,9 +24,9 @@ Mat3 Transition(double t_s) {
   return F;
 }
 
-/// Covariance that white noise adds within `t_s` to a coordinate with a unit rate deviation. It is
-/// the integral of 4 w^3 g g^T with the impulse response g, by three-point Gauss-Legendre
-/// quadrature.
+/// Covariance that white noise adds during `t_s` to a coordinate with a rate deviation of 1. It is
+/// the integral of 4 w^3 g g^T, where g is the impulse response. Three-point Gauss-Legendre
+/// quadrature evaluates it.
 Mat3 Driven(double t_s) {
   const std::array<std::pair<double, double>, 3> points = {
       {{0.5 - std::sqrt(0.15), 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + std::sqrt(0.15), 5.0 / 18}}};
@@ -40,7 +40,7 @@ Mat3 Driven(double t_s) {
 
 using Numbers = Eigen::Matrix<double, MotionCovariance::kNumbers, MotionCovariance::kNumbers>;
 
-/// Transition of all numbers of a coordinate. The previous means are discarded.
+/// Transition of all entries of a coordinate. The means of the last step are discarded.
 Numbers TransitionOfNumbers(double t_s) {
   Numbers F = Numbers::Zero();
   F.topLeftCorner<3, 3>() = Transition(t_s);

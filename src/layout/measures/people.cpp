@@ -125,7 +125,7 @@ std::vector<Figure> PersonRange::Figures() const {
     const auto figure = [&](Measure measure, double Reach::*number) {
       Figure f{{measure, posture_.name, q}, {}, {}};
       for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
-      // Each end lies between two tested distances.
+      // Each end lies somewhere between two tested distances.
       f.error.assign(f.at.size(), EvenSigma(kRangeStep_m));
       figures.push_back(std::move(f));
     };
@@ -143,13 +143,13 @@ std::vector<Figure> PersonRange::Figures() const {
 }
 
 PolarCurve PersonRange::Curve() const {
-  PolarCurve curve{.id = {Measure::kPersonCurve, posture_.name},
-                   .title = fmt::format("Where a {} person is detected, in m from the machine's "
-                                        "outline",
-                                        posture_.name),
-                   .most = study_.farthest_m,
-                   .mean = {},
-                   .worst = {}};
+  PolarCurve curve{
+      .id = {Measure::kPersonCurve, posture_.name},
+      .title = fmt::format("Detection range of a {} person, in m from the machine's outline",
+                           posture_.name),
+      .most = study_.farthest_m,
+      .mean = {},
+      .worst = {}};
   for (const std::vector<Reach>& at : directions_) {
     double sum_m = 0, from_m = 0, to_m = study_.farthest_m;
     for (const Reach& reach : at) {

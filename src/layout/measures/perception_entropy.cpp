@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kLeastPrecision = 0.001, kMostPrecision = 0.999;
-constexpr double kFirst_m = 1, kEntropyStep_m = 2;  ///< distances of the tested places
+constexpr double kFirst_m = 1, kEntropyStep_m = 2;  ///< first tested distance and step
 
 }  // namespace
 

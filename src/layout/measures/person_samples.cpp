@@ -8,7 +8,7 @@ namespace tera {
 namespace {
 
 constexpr int kPatchesUp = 4, kPatchesAcross = 2;
-constexpr double kMiddle_m = 0.9;  ///< height of a standing person's middle
+constexpr double kMiddle_m = 0.9;  ///< height of a standing person's centre
 
 }  // namespace
 

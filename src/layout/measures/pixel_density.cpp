@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kPurposeCount = PixelDensity::kPurposes.size();
 
-/// Pixels per metre at each counting place, on a surface that faces the camera with the highest
-/// density; 0 if no camera sees it.
+/// Pixels per metre of the camera with the highest density at each counted place, on a surface that
+/// faces it. 0 if no camera sees the place.
 std::vector<double> DensitiesAt(const PolarPlaces& places, const Layout& layout,
                                 const Sighting& sighting) {
   std::vector<Target> targets;
@@ -95,7 +95,7 @@ std::vector<Figure> PixelDensity::Figures() const {
           directions += 1;
         }
         figure.at.push_back(sum_m / directions);
-        // Each boundary lies somewhere within a cell.
+        // Each distance is uniform within a ring.
         figure.error.push_back(EvenSigma(PolarGrid::kRing_m) / std::sqrt(directions));
       }
       figures.push_back(std::move(figure));
@@ -108,14 +108,13 @@ std::vector<PolarCurve> PixelDensity::Curves() const {
   std::vector<PolarCurve> curves;
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
     const auto& [name, px_per_m] = kPurposes[purpose];
-    PolarCurve curve{
-        .id = {Measure::kPixelCurve, name},
-        .title =
-            fmt::format("Farthest place at which cameras {} a person, nearer or not, in m: {} px/m",
-                        name, px_per_m),
-        .most = PolarGrid::kRings * PolarGrid::kRing_m,
-        .mean = {},
-        .worst = {}};
+    PolarCurve curve{.id = {Measure::kPixelCurve, name},
+                     .title = fmt::format("Farthest place at which cameras {} a person, in m, at "
+                                          "{} px/m; gaps before it are possible",
+                                          name, px_per_m),
+                     .most = PolarGrid::kRings * PolarGrid::kRing_m,
+                     .mean = {},
+                     .worst = {}};
     for (const std::vector<double>& at_m : farthest_m_[purpose]) {
       const double sum_m = std::accumulate(at_m.begin(), at_m.end(), 0.0);
       curve.mean.push_back(sum_m / static_cast<double>(at_m.size()));

@@ -10,16 +10,16 @@
 
 namespace tera {
 
-/// Pixel density of the cameras of a layout on a person around the machine.
+/// Pixel density of a layout's cameras on a person around the machine.
 ///
-/// Frames  H as in PolarGrid. Distances run from its origin to the middle of a cell.
-/// Model   places of PolarGrid 1.5 m above the ground that lie in the air over the site and outside
-///         the machine's outline. The density at a place is the highest of the cameras with a free
-///         line of sight. It is the square root of the pixels per square metre of a surface that
-///         faces the camera.
+/// Frames  H as in PolarGrid. Distances run from its origin to the centre of a cell.
+/// Model   tests the places of PolarGrid 1.5 m above the ground that lie in the air over the site
+///         and outside the machine's outline. The density at a place is the maximum over the
+///         cameras with a free line of sight. It is the square root of the pixels per square metre
+///         of a surface that faces the camera.
 /// Omits   the standard's other demands on a picture: focus, light, contrast, compression, motion.
 /// Source  IEC 62676-4: 25 px/m detect, 62.5 observe, 125 recognise, 250 identify. NIOSH's highest
-///         plane, 1500 mm, for the upper body of a standing person.
+///         plane, 1500 mm, represents the upper body of a standing person.
 class PixelDensity {
  public:
   struct Purpose {
@@ -32,18 +32,18 @@ class PixelDensity {
 
   PixelDensity();
 
-  /// Adds the places of this moment at kHeight_m, without those in a machine's outline
-  /// (LeaveOutHull).
+  /// Adds the places of this moment at kHeight_m. The caller has excluded those inside the
+  /// machine's outline (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
-  /// "pixels/PURPOSE/share_to_12m": area within 12 m with the density of the purpose, over all area
-  /// there. "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": mean of that quarter's
-  /// farthest distances with that density.
+  /// "pixels/PURPOSE/share_to_12m": share of the area within 12 m that has the purpose's density.
+  /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": farthest distance with that
+  /// density in a direction, averaged over the directions of the quarter.
   std::vector<Figure> Figures() const;
-  /// "pixels/1.5 m": the mean density over the moments.
+  /// "pixels/1.5 m": density at each place, averaged over the moments.
   PolarMap Map() const;
-  /// "pixels/PURPOSE": for each direction of PolarGrid, the farthest place with at least the
-  /// density of the purpose, even with gaps before it; 0 if there is none.
+  /// "pixels/PURPOSE": for each direction of PolarGrid, the distance of the farthest place with at
+  /// least the purpose's density, even if nearer places have less. 0 without such a place.
   std::vector<PolarCurve> Curves() const;
 
  private:

@@ -6,20 +6,20 @@
 
 namespace tera {
 
-/// A polar grid of places about the machine at one height above the ground.
+/// A polar grid of places around the machine at one height above the ground.
 ///
-/// Frames  H stands on the ground at the upper structure's origin, at its heading: azimuth 0 is
-///         ahead, counterclockwise from above.
-/// Source  5 degrees by 1 m, out to 12 and 24 m. The blind area diagrams of NIOSH and Caterpillar
-///         have this grid (planes at 0, 900 and 1500 mm).
+/// Frames  H stands upright on the ground at the upper structure's origin and has its heading.
+///         Azimuth 0 is ahead and increases counterclockwise, seen from above.
+/// Source  cells of 5 degrees by 1 m, out to 12 and 24 m, as in the blind area diagrams of NIOSH
+///         and Caterpillar (planes at 0, 900 and 1500 mm).
 struct PolarGrid {
   static constexpr int kSectors = 72, kRings = 24, kNearRings = 12;
   static constexpr double kRing_m = 1.0;
 
   static double Azimuth_rad(int sector);
-  /// Distance from the origin to the middle of a cell.
+  /// Distance from the origin to the centre of a cell.
   static double Radius_m(int ring) { return (ring + 0.5) * kRing_m; }
-  /// Middle of a cell, x and y in H.
+  /// Centre of a cell, x and y in H.
   static Vec2 Middle_m(int sector, int ring);
   static double Area_m2(int ring);
   static std::size_t Index(int sector, int ring) {
@@ -30,15 +30,15 @@ struct PolarGrid {
 /// Whether the site's ground extends below or above a place.
 bool IsOnSite(const TerrainGrid& site, const Vec3& p_W_m);
 
-/// The middles of the cells, by PolarGrid::Index.
+/// The centres of the cells, by PolarGrid::Index.
 struct PolarPlaces {
   std::vector<Vec3> p_W_m;
-  std::vector<bool> count;  ///< lies over the site's ground and in nothing solid
+  std::vector<bool> count;  ///< lies over the site's ground and outside solid objects
 };
 PolarPlaces PlacesAt(double height_m, const Pose& X_WH, const Sighting& sighting,
                      const TerrainSurface& ground);
-/// Excludes places nearer than the machine's hull in their direction. `hull_m` is HullRadii_m of
-/// kSectors sectors.
+/// Stops counting the places that are nearer than the machine's hull in their direction. `hull_m`
+/// is HullRadii_m of kSectors sectors.
 void LeaveOutHull(const std::vector<double>& hull_m, PolarPlaces* places);
 
 }  // namespace tera

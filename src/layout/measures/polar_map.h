@@ -7,24 +7,24 @@
 
 namespace tera {
 
-/// A value for each cell of a polar grid around a point, for a drawing.
+/// A value for each cell of a polar grid, for a drawing.
 ///
-/// Frames  azimuth 0 is ahead, counterclockwise from above; cell (sector, ring) is at sector *
-///         rings + ring.
+/// Frames  azimuth 0 is ahead and increases counterclockwise, seen from above. Cell (sector, ring)
+///         has the index sector * rings + ring.
 struct PolarMap {
   FigureId id;
-  std::string title;  ///< for people
+  std::string title;  ///< caption of the drawing
   int sectors = 0, rings = 0;
   double ring_m = 1;  ///< width of a ring, in `ring_unit`
   std::string ring_unit = "m";
-  double low = 0, high = 1;   ///< values at the bad and the good end of the colours
-  std::vector<double> value;  ///< negative if there is none
-  /// Values at equal steps of the colours, from `low` to `high`; empty: a linear scale. If they are
-  /// given, the value `low` means nothing and has its own colour.
+  double low = 0, high = 1;   ///< values at the bad and the good end of the colour scale
+  std::vector<double> value;  ///< negative: no value
+  /// Values at equal steps of the colour scale, from `low` to `high`. Empty: the scale is linear.
+  /// With ticks, the value `low` means "nothing" and has its own colour.
   std::vector<double> ticks = {};
 };
 
-/// Whether the map is centred on the machine, so that its outline can be drawn on it.
+/// Whether the map is centred on the machine. The machine's outline can then be drawn on it.
 inline bool IsAboutMachine(const PolarMap& map) {
   return map.id.measure == Measure::kSeenMap || map.id.measure == Measure::kPixelMap;
 }
@@ -34,10 +34,11 @@ inline bool IsAboutMachine(const PolarMap& map) {
 /// Frames  as PolarMap.
 struct PolarCurve {
   FigureId id;
-  std::string title;                ///< for people
-  double most = 1;                  ///< largest value of the axis
+  std::string title;                ///< caption of the drawing
+  double most = 1;                  ///< end of the axis
   std::vector<double> mean, worst;  ///< over a cycle, one per direction
-  /// Near end of the range at the worst moment, one per direction; empty: the point itself.
+  /// Near end of the range at the worst moment, one per direction. Empty: the range begins at the
+  /// centre.
   std::vector<double> worst_from = {};
 };
 

@@ -7,10 +7,10 @@
 
 namespace tera {
 
-/// A quarter of the directions around a machine.
+/// A quarter of the directions around a machine: 45 degrees to either side of `azimuth_rad`.
 struct Quarter {
   const char* name;
-  double azimuth_rad;  ///< azimuth of its middle; 0 is ahead, counterclockwise from above
+  double azimuth_rad;  ///< 0 is ahead; counterclockwise, seen from above
 
   bool Holds(double direction_rad) const {
     return std::abs(std::remainder(direction_rad - azimuth_rad, 2 * kPi)) <= 0.25 * kPi + 1e-9;

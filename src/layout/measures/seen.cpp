@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Least points (lidar) or pixels (camera) on a square metre.
+/// Required points (lidar) or pixels (camera) per square metre.
 double LeastPer_m2(const SeenFrom& seen, const Viewer& viewer) {
   return viewer.field.samples == ViewField::Samples::kPoints
              ? seen.lidar_points_per_m2

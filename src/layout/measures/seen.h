@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Views of each place in the air from each viewer at its current pose, with the samples that
-/// `seen` requires: [place][viewer].
+/// View of each viewer, at its current pose, on each place in the air: [place][viewer]. `seen`
+/// gives the required density of samples.
 std::vector<std::vector<Look>> LookAt(const std::vector<Vec3>& places_W_m, const Layout& layout,
                                       const SeenFrom& seen, const Sighting& sighting);
 

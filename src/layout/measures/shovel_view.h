@@ -10,21 +10,22 @@
 
 namespace tera {
 
-/// Visibility of a working shovel: its cutting edge and its load.
+/// Visibility of a shovel at work: its cutting edge and its load.
 ///
-/// Frames  B the shovel's link.
-/// Model   shares of places along the edge, and over the mouth of the shell at struck level, that
-///         any viewer sees (look.h). The soil in the shovel does not block the line of sight;
-///         density does not count.
-/// Omits   soil heaped above struck level, and the empty part of the mouth.
+/// Frames  B is the shovel's link.
+/// Model   shares of test places that at least one viewer sees (look.h). The places lie along the
+///         cutting edge and over the shell's opening at struck level. Soil in the shovel does not
+///         occlude. The density of samples does not count.
+/// Omits   soil heaped above struck level, and parts of the opening without soil.
 class ShovelView {
  public:
-  /// `instance` is the scene instance of its soil, or 0 if it carries none.
+  /// `instance` is the scene instance of the shovel's soil, or 0 if it carries none.
   ShovelView(const Shovel& shovel, std::uint16_t instance);
 
   void Add(const MachineState& machine, const Layout& layout, double reflectance,
            const Sighting& sighting);
-  /// "dig/SHOVEL/edge_seen" and, for a shovel that carries soil, "dig/SHOVEL/load_seen": shares.
+  /// "dig/SHOVEL/edge_seen" and, for a shovel that carries soil, "dig/SHOVEL/load_seen". Both are
+  /// shares.
   std::vector<Figure> Figures() const;
 
  private:

@@ -12,10 +12,10 @@
 namespace tera {
 namespace {
 
-constexpr double kFarthest_m = 300;  ///< range of objects that can hide the sky
+constexpr double kFarthest_m = 300;  ///< objects beyond this range are ignored
 constexpr double kSkySector_rad = 2 * kPi / SkyGrid::kSectors;
 
-/// Sines of the lowest and highest elevation of a ring above the mask.
+/// Sine of the lowest and the highest elevation of the part of a ring above the mask.
 struct Band {
   double low = 0, high = 0;
 };
@@ -79,8 +79,8 @@ void SkyView::Add(const MachineState& machine, const Sighting& sighting) {
 }
 
 std::vector<Figure> SkyView::Figures() const {
-  // Directions represent unequal parts of the sky. One direction per cell has a smaller error than
-  // as many random ones.
+  // The directions represent unequal parts of the sky. Stratified directions, one per cell, have a
+  // smaller error than as many random ones.
   std::vector<double> shares;
   for (const Direction& direction : sky_) shares.push_back(direction.share);
   const double like = LikeCount(shares);

@@ -24,7 +24,7 @@ constexpr double kBytesPerGB = 1e9;
 /// Quantities that a search can limit.
 constexpr std::array<const char*, 4> kTaken = {"cost", "power_w", "data_mbyteps", "sensors"};
 
-/// A layout's value of a limited quantity; nothing for a figure of its view.
+/// A layout's value of a limited quantity, or nothing if `name` is a figure.
 std::optional<double> Taken(const std::string& name, const Layout& layout) {
   const Expense expense = ExpenseOf(layout);
   if (name == "cost") return expense.cost;
@@ -49,7 +49,7 @@ std::string PlaceOr(const std::string& place, const char* otherwise) {
 /// The part before the first slash.
 std::string_view FamilyOf(std::string_view figure) { return figure.substr(0, figure.find('/')); }
 
-/// Possible objectives: those of the same family, else all families.
+/// Suggestions for an unknown objective: the names of its family, or else all families.
 std::string InsteadOf(const std::string& figure, const std::vector<std::string>& names) {
   std::vector<std::string> alike, families;
   for (const std::string& name : names) {
@@ -61,7 +61,7 @@ std::string InsteadOf(const std::string& figure, const std::vector<std::string>&
   return fmt::format("; need one of {}", fmt::join(alike.empty() ? families : alike, ", "));
 }
 
-/// Corners and middle of the bounds of a mount.
+/// The centre and the corners of a mount's bounds.
 std::vector<Vec3> PlacesOf(const MountBounds& mount) {
   std::vector<Vec3> places = {0.5 * (mount.low_B_m + mount.high_B_m)};
   for (int corner = 0; corner < 8; ++corner) {
@@ -110,8 +110,8 @@ std::int64_t Appraisal::HalfOfMemory() {
   return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE) / 2;
 }
 
-/// Extrapolates the memory of the moments so far. Later moments rather need more, since their
-/// ground is more dug up.
+/// Extrapolates from the moments stored so far. Later moments tend to need more memory, since
+/// excavation makes their ground more complex.
 void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   double bytes = 0;
   for (const Moment& moment : moments_) bytes += static_cast<double>(moment.sighting->bytes());
@@ -120,11 +120,11 @@ void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   throw InputError(
       PlaceOr(search_.place, "moments"),
       {FaultKind::kOutOfRange,
-       fmt::format(
-           "{} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
-           "about {:.0f}, or a smaller site",
-           search_.moments, all_bytes / kBytesPerGB, static_cast<double>(most_bytes) / kBytesPerGB,
-           std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments))});
+       fmt::format("{} moments of this cycle take {:.2g} GB of memory, but {:.2g} GB may be used; "
+                   "need about {:.0f} moments, or a smaller site",
+                   search_.moments, all_bytes / kBytesPerGB,
+                   static_cast<double>(most_bytes) / kBytesPerGB,
+                   std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments))});
 }
 
 void Appraisal::RequirePlaces() const {
@@ -134,7 +134,7 @@ void Appraisal::RequirePlaces() const {
       throw InputError(
           PlaceOr(slot.place, "sensors"),
           {FaultKind::kRepeated,
-           fmt::format("'{}' is the name of a sensor that is kept; need another", slot.name)});
+           fmt::format("'{}' is already the name of a kept sensor; need another name", slot.name)});
     }
     for (const MountBounds& mount : slot.mounts) {
       if (model().LinkIndex(mount.link) >= 0) continue;
@@ -143,7 +143,7 @@ void Appraisal::RequirePlaces() const {
       throw InputError(
           PlaceOr(mount.place, "sensors"),
           {FaultKind::kNoSuchName,
-           fmt::format("'{}' is mounted on '{}', which the machine has not; its links are {}",
+           fmt::format("'{}' is mounted on the unknown link '{}'; the machine's links are {}",
                        slot.name, mount.link, fmt::join(links, ", "))});
     }
   }
@@ -160,11 +160,11 @@ void Appraisal::RequireFigures() {
     std::string found = fmt::format("there is no figure '{}'{}", objective.figure,
                                     DidYouMean(objective.figure, names));
     if (id && SubjectOf(id->measure) == Subject::kEye) {
-      found = fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
+      found = fmt::format("'{}' measures masking of the operator's eye, which no layout changes",
                           objective.figure);
     } else if (id && SubjectOf(id->measure) == Subject::kState) {
       found = fmt::format(
-          "'{}' is what inertial units, encoders and antennas tell, which no search places",
+          "'{}' depends on inertial units, encoders and antennas, which no search places",
           objective.figure);
     }
     throw InputError(PlaceOr(objective.place, "objectives"),
@@ -174,12 +174,12 @@ void Appraisal::RequireFigures() {
 
 void Appraisal::RequireWithinLimits() const {
   if (Beyond(LayoutOfSensors(kept_, model())) <= 0) return;
-  throw InputError(
-      PlaceOr(search_.limits.place, "limits"),
-      "the sensors that are kept are beyond them already; raise a limit or keep fewer");
+  throw InputError(PlaceOr(search_.limits.place, "limits"),
+                   "the kept sensors already exceed them; raise a limit or keep fewer sensors");
 }
 
-/// The least `name` of a layout with all mandatory sensors and one that sees.
+/// Smallest possible `name` of a layout that has all mandatory sensors and at least one lidar or
+/// camera.
 double Appraisal::LeastTaken(const char* name) const {
   const Layout kept = LayoutOfSensors(kept_, model());
   double taken = *Taken(name, kept);
@@ -207,12 +207,10 @@ void Appraisal::RequireReachable() const {
   for (const char* name : kTaken) {
     const std::optional<double> most = MostOf(search_.limits, name);
     if (!most || LeastTaken(name) <= *most) continue;
-    throw InputError(
-        PlaceOr(search_.limits.place, "limits"),
-        fmt::format(
-            "{} {:.6g}: no layout is within it: with all sensors that are not optional, and one at "
-            "least that sees, it takes {:.6g}; raise it, or let sensors be optional",
-            name, *most, LeastTaken(name)));
+    throw InputError(PlaceOr(search_.limits.place, "limits"),
+                     fmt::format("{} {:.6g} is too low: the mandatory sensors with at least one "
+                                 "lidar or camera need {:.6g}; raise it, or make sensors optional",
+                                 name, *most, LeastTaken(name)));
   }
 }
 
@@ -222,13 +220,13 @@ double Appraisal::Beyond(const Layout& layout) const {
     const std::optional<double> most = MostOf(search_.limits, name);
     if (!most) continue;
     const double taken = *Taken(name, layout);
-    // Any amount violates a limit of zero.
+    // Any positive amount violates a limit of zero.
     if (taken > *most) beyond += *most > 0 ? taken / *most - 1 : taken;
   }
   return beyond;
 }
 
-/// The part of the machine that contains the mount at every moment, at all of its PlacesOf.
+/// The machine part that contains all of the mount's PlacesOf at every moment, or nothing.
 std::optional<std::string> Appraisal::PartAround(const SensorSlot& slot,
                                                  const MountBounds& mount) const {
   std::vector<SensorDescription> sensors;
@@ -259,9 +257,8 @@ std::vector<std::string> Appraisal::Warnings() const {
       const std::optional<std::string> part = PartAround(slot, mount);
       if (!part) continue;
       warnings.push_back(
-          fmt::format("{}: a mount of '{}' lies inside {} wherever within its bounds it is put, "
-                      "and sees nothing "
-                      "but that; need bounds in the air",
+          fmt::format("{}: a mount of '{}' lies inside {} everywhere within its bounds and sees "
+                      "nothing else; need bounds in free air",
                       PlaceOr(mount.place, "sensors"), slot.name, *part));
     }
   }
@@ -285,7 +282,7 @@ Appraised Appraisal::Of(Layout layout) const {
     measures.Add({moment.now, *moment.sighting, moment.ground}, moment.places, layout);
   }
   const std::vector<Figure> figures = measures.Figures();
-  constexpr double kSeesNothing = 1;  // the violation of a layout that takes twice a limit
+  constexpr double kSeesNothing = 1;  // equals the violation of a layout that takes twice a limit
   Appraised appraised{{}, Beyond(layout) + (layout.viewers.empty() ? kSeesNothing : 0)};
   for (const Objective& objective : search_.objectives) {
     if (const std::optional<double> taken = Taken(objective.figure, layout)) {

@@ -15,37 +15,39 @@
 
 namespace tera {
 
-/// Quality of a layout: its objectives, all to be minimised, and its violation of the limits as
-/// shares of them. A layout without a lidar or camera sees nothing and violates the limits.
+/// Quality of a layout. All objectives are to be minimised. `beyond` is the violation of the
+/// limits: the sum of each quantity's relative excess over its limit. A layout without a lidar or
+/// camera counts as violating the limits.
 struct Appraised {
-  std::vector<double> objectives;  ///< objectives to be maximised are negated
+  std::vector<double> objectives;  ///< figures to be maximised are negated
   double beyond = 0;
   bool is_allowed() const { return beyond <= 0; }
 };
 
-/// Appraises layouts over moments of a cycle. The moments stay in memory, so a layout costs only
-/// rays.
+/// Evaluates candidate layouts at some moments of a cycle. The scenes of these moments stay in
+/// memory, so a further layout costs only ray casts.
 class Appraisal {
  public:
   /// Runs through the cycle once. Keeps references to all arguments.
   ///
-  /// Throws  InputError if an objective is no figure, a mount is on no link of the machine, or a
-  ///         name is taken. InputError too if the kept sensors alone or every seeing layout violate
-  ///         the limits, or the moments' scenes take more than `most_bytes`; and as Cycle does.
+  /// Throws  InputError if an objective is no figure, if a mount names no link of the machine, or
+  ///         if a sensor has the name of a kept one. Also if a zone has no place in the air. Also
+  ///         if the kept sensors alone, or every layout with at least one lidar or camera, violate
+  ///         the limits. Also if the scenes of the moments need more than `most_bytes`; and as
+  ///         Cycle does.
   Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
             std::int64_t most_bytes = HalfOfMemory());
 
-  /// Half of this computer's memory.
   static std::int64_t HalfOfMemory();
 
   Appraised Of(const Genes& genes) const { return Of(Laid(genes)); }
   Appraised Of(Layout layout) const;
   Layout Laid(const Genes& genes) const;
   const std::vector<SensorDescription>& kept() const { return kept_; }
-  /// For each objective, -1 if it is its negated figure, else 1.
+  /// For each objective: -1 if it is the negated figure, else 1.
   const std::vector<double>& signs() const { return signs_; }
   const StudiedMachine& studied() const { return studied_; }
-  /// Warnings for mounts that are inside the machine at every pose within their bounds.
+  /// Warnings for mounts that are inside the machine at every tested place within their bounds.
   std::vector<std::string> Warnings() const;
 
  private:

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t kContinuous = 6, kWhole = 2;
 
-/// The integer of a gene.
+/// Integer value of a gene, at most `most`.
 std::size_t NumberOf(double gene, std::size_t most) {
   return std::min(static_cast<std::size_t>(std::lround(gene)), most);
 }
 
-/// Choices of the genes for a slot.
+/// The sensor type, mount and pose that the genes select for a slot.
 struct Chosen {
   const TypeChoice* type = nullptr;  ///< null: absent
   const MountBounds* mount = nullptr;
@@ -44,7 +44,7 @@ std::string Triple(const Vec3& v) {
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
 }
 
-/// Rounds as rig files do, so that a file describes the evaluated layout exactly.
+/// Rounds like RigYaml, so that the written file describes exactly the evaluated layout.
 Vec3 Rounded(const Vec3& v) {
   return v.unaryExpr([](double x) { return std::stod(fmt::format("{:.6g}", x)); });
 }

@@ -9,31 +9,32 @@
 
 namespace tera {
 
-/// A layout as the vector that a search changes.
+/// A layout as the vector that the search varies.
 ///
-/// Model   each slot has six numbers from 0 to 1: its position and its roll, pitch and yaw within
-///         the bounds of its mount. After all slots come two integers per slot: its type (index
-///         plus one; 0: absent) and its mount. A gene without a choice has an extra value with the
-///         same meaning, since NSGA-II accepts no fixed genes.
+/// Model   first come six numbers in [0, 1] per slot: position (x, y, z) and roll, pitch, yaw as
+///         fractions of the mount's bounds. Then come two integers per slot: the sensor type (index
+///         plus one; 0: absent) and the index of the mount. NSGA-II does not accept fixed genes, so
+///         an integer without a choice gets an extra value with the same meaning.
 using Genes = std::vector<double>;
 
-/// Lowest and highest value of each gene.
+/// Lower and upper bound of each gene.
 struct GeneBounds {
   Genes low, high;
-  std::size_t whole = 0;  ///< number of integers at the end
+  std::size_t whole = 0;  ///< number of integer genes, at the end
 };
 GeneBounds BoundsOf(const LayoutSearch& search);
 
 std::size_t FirstGene(std::size_t slot);
-/// Index of a slot's type gene; that of its mount follows.
+/// Index of a slot's type gene. The mount gene follows it.
 std::size_t TypeGene(const LayoutSearch& search, std::size_t slot);
 
 /// The sensors that the genes describe.
 std::vector<SensorDescription> SensorsOf(const LayoutSearch& search, const Genes& genes);
-/// The layout of these sensors and the kept ones.
+/// The layout of the kept sensors and those that the genes describe.
 Layout LayoutOf(const LayoutSearch& search, const Genes& genes,
                 const std::vector<SensorDescription>& kept, const MachineModel& model);
-/// A rig file: `kept_yaml`, which ends in a list of sensors, followed by the sensors of the genes.
+/// Text of a rig file: `kept_yaml`, which ends with a list of sensors, followed by the sensors of
+/// the genes.
 std::string RigYaml(const LayoutSearch& search, const Genes& genes, const std::string& kept_yaml);
 
 }  // namespace tera

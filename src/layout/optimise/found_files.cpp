@@ -13,7 +13,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The rig that every layout has, with all references resolved; empty if there is none.
+/// YAML of the kept rig, with all references resolved. Empty without a kept rig.
 std::string KeptYaml(const LayoutSearch& search) {
   if (search.keep.empty()) return "";
   const Config config = Config::FromFile(search.keep);
@@ -57,7 +57,7 @@ std::string HypervolumeCsv(const std::vector<double>& hypervolume) {
 /// Labels of points in a picture, each next to its point without overlap.
 class Labels {
  public:
-  /// As SVG; nothing if there is no room.
+  /// The label as SVG. Empty if there is no room.
   std::string At(const Vec2& point, const std::string& text) {
     constexpr double kLetter = 7.5, kHeight = 13, kGap = 7;
     const double width = kLetter * static_cast<double>(text.size());
@@ -81,7 +81,7 @@ class Labels {
   std::vector<std::pair<Vec2, Vec2>> boxes_;
 };
 
-/// The first two objectives of all layouts of the front against each other.
+/// Scatter plot of the first two objectives of the layouts on the front.
 std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   if (search.objectives.size() < 2) return "";
   std::vector<Vec2> points;
@@ -123,14 +123,12 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
 }
 
 std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result) {
-  std::string html =
-      PageBegin("Sensor layouts found") + "<h1>Which layouts are worth having?</h1>\n";
+  std::string html = PageBegin("Sensor layouts found") + "<h1>Layouts on the Pareto front</h1>\n";
   html += fmt::format(
-      "<p class=\"answer\">{} of which no other is better in everything that was asked.</p>\n"
-      "<p class=\"soft\">Each is a rig file in front/, which tera generate and tera layout "
-      "evaluate "
-      "take as it is. Objectives are over the {} moments of the search; evaluate a layout for more "
-      "moments, places and errors.</p>\n",
+      "<p class=\"answer\">{} on the front: no other layout is better in every objective.</p>\n<p "
+      "class=\"soft\">Each layout is a rig file in front/ for tera generate and tera layout "
+      "evaluate. Objectives cover the {} moments of the search. Evaluate a layout for more "
+      "moments, more places and sampling errors.</p>\n",
       LayoutCount(result.front.size()), search.moments);
   for (const std::string& warning : result.warnings) {
     html += fmt::format("<p class=\"warning\">{}</p>\n", Escaped(warning));
@@ -168,7 +166,7 @@ std::string LayoutCount(std::size_t count) {
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs) {
   std::vector<double> values;
-  // Removes the sign of zero.
+  // Turns -0 into 0.
   for (std::size_t i = 0; i < signs.size(); ++i) values.push_back(signs[i] * objectives[i] + 0.0);
   return values;
 }
@@ -176,7 +174,7 @@ std::vector<double> ShownValues(const std::vector<double>& objectives,
 void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
                 const OptimiseResult& found, const std::vector<double>& hypervolume,
                 const fs::path& folder) {
-  OptimiseResult result = found;  // with objectives as figure values
+  OptimiseResult result = found;  // a copy whose objectives are values of figures
   for (FoundLayout& layout : result.front)
     layout.objectives = ShownValues(layout.objectives, signs);
   if (result.greedy) {

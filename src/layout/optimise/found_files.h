@@ -9,7 +9,8 @@
 
 namespace tera {
 
-/// Objectives as values of their figures, not negated; `signs` as in Appraisal.
+/// Values of the figures behind `objectives`: removes the negation of maximised ones. `signs` as in
+/// Appraisal.
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs);
 
@@ -17,7 +18,8 @@ std::vector<double> ShownValues(const std::vector<double>& objectives,
 std::string LayoutCount(std::size_t count);
 
 /// Writes the result of a search into `folder`: front/NN.yaml and greedy.yaml, rigs for `tera
-/// generate`; front.csv, the objectives of each; hypervolume.csv, by generation; search.html.
+/// generate`; front.csv, the objectives of each layout; hypervolume.csv, one row per generation;
+/// search.html.
 ///
 /// Throws  InputError if a file cannot be written.
 void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,

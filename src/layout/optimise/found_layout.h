@@ -8,16 +8,15 @@
 
 namespace tera {
 
-/// A layout on the front of a search.
+/// A layout on the Pareto front of a search.
 struct FoundLayout {
   Genes genes;
   std::vector<double> objectives;  ///< as in Appraised
 };
 
-/// Result of a search.
 struct OptimiseResult {
   std::vector<FoundLayout> front;     ///< sorted by the first objective
-  std::optional<FoundLayout> greedy;  ///< nothing if it violates the limits
+  std::optional<FoundLayout> greedy;  ///< empty if it violates the limits
   std::vector<std::string> warnings;  ///< about the search space
 };
 

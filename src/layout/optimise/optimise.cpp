@@ -30,12 +30,13 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kStateName[] = "search_state.json", kFrontName[] = "front.csv";
-constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
-constexpr int kWorstOf = 10;           ///< random layouts per layout of a start with the worst ones
-constexpr double kNotAllowed = 1e9;    ///< above every objective of a permitted layout
-constexpr double kCornerBeyond = 0.1;  ///< share of the spread of the first layouts
-constexpr double kLeastSpread = 1e-6;  ///< for an objective that is equal in all of them
-// NSGA-II operators as its authors use them; mutation changes one or two genes.
+constexpr int kGreedyTries = 24;  ///< tested placements of each slot in each round
+constexpr int kWorstOf = 10;      ///< for SearchStart::kWorst: random layouts drawn per layout kept
+constexpr double kNotAllowed = 1e9;  ///< exceeds every objective of an allowed layout
+/// Margin of the reference point beyond the worst initial value, as a share of the spread.
+constexpr double kCornerBeyond = 0.1;
+constexpr double kLeastSpread = 1e-6;  ///< lower bound on the spread, for equal initial values
+// Parameters that NSGA-II's authors use. On average, mutation changes two genes.
 constexpr double kCrossover = 0.95, kCrossoverIndex = 10, kMutationIndex = 20;
 
 std::vector<double> FitnessOf(const Appraised& appraised) {
@@ -43,7 +44,7 @@ std::vector<double> FitnessOf(const Appraised& appraised) {
   return std::vector<double>(appraised.objectives.size(), kNotAllowed * (1 + appraised.beyond));
 }
 
-/// NSGA-II accepts no single objective, so a single one is doubled.
+/// NSGA-II needs at least two objectives, so a single one is doubled.
 std::vector<double> Several(std::vector<double> fitness) {
   if (fitness.size() == 1) fitness.push_back(fitness.front());
   return fitness;
@@ -123,7 +124,7 @@ void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count
   }
 }
 
-/// Keeps the worst permitted layouts: those that most others dominate.
+/// Keeps the `count` worst allowed layouts: those that the most others dominate.
 void KeepWorst(std::size_t count, SearchState* state) {
   std::vector<std::pair<std::size_t, std::size_t>> by_better;
   for (std::size_t i = 0; i < state->genes.size(); ++i) {
@@ -160,8 +161,8 @@ SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::s
   if (is_worst) KeepWorst(static_cast<std::size_t>(count), &state);
   if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
     throw InputError("limits",
-                     "none of the layouts that were tried at first is within them; raise them, let "
-                     "sensors be optional, or try more: a larger population");
+                     "no layout of the first population keeps them; raise them, make sensors "
+                     "optional, or choose a larger population");
   }
   state.corner = CornerOf(state.fitness);
   state.hypervolume.push_back(HypervolumeOf(state));
@@ -187,7 +188,7 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   state->hypervolume.push_back(HypervolumeOf(*state));
 }
 
-/// The undominated layouts of the population and of the greedy layout, if the search began with it.
+/// The non-dominated allowed layouts among the population and `greedy`, if given.
 std::vector<FoundLayout> FrontOf(const SearchState& state,
                                  const std::optional<FoundLayout>& greedy) {
   std::vector<FoundLayout> allowed;
@@ -234,18 +235,18 @@ std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
 void RequireRoom(const fs::path& out, bool resume) {
   std::error_code ignored;
   if (resume && fs::exists(out / kFrontName, ignored)) {
-    throw InputError(out.string(),
-                     {FaultKind::kUnwritable,
-                      fmt::format("holds a search that came to its end: there is nothing to go on "
-                                  "with; look at {}, or choose another place for another search",
-                                  (out / "search.html").string())});
+    throw InputError(out.string(), {FaultKind::kUnwritable,
+                                    fmt::format("holds a finished search, which cannot be resumed; "
+                                                "look at {}, or choose another folder",
+                                                (out / "search.html").string())});
   }
   RequireNothingAt(out);
   const fs::path beside = IncompleteOf(out);
   if (resume || !HoldsSomething(beside)) return;
-  throw InputError(beside.string(), {FaultKind::kUnwritable,
-                                     "holds a search that was stopped; go on with it by the same "
-                                     "command and --resume, or delete it"});
+  throw InputError(
+      beside.string(),
+      {FaultKind::kUnwritable,
+       "holds an interrupted search; resume it by the same command with --resume, or delete it"});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFarthest_m = 100;
 constexpr double kMostGenerations = 1e5, kMostPopulation = 10000, kMostMoments = 1000;
-constexpr int kInFours = 4;  ///< NSGA-II crosses its population in fours
+constexpr int kInFours = 4;  ///< the population size must be a multiple of four (NSGA-II)
 
 MountBounds ReadMount(const ConfigMap& config) {
   const Range place = Between(-kFarthest_m, kFarthest_m, "m"), angle = Between(-360, 360, "deg");
@@ -33,7 +33,8 @@ MountBounds ReadMount(const ConfigMap& config) {
   return mount;
 }
 
-/// Decided by its type, since other sensors need no mount and are read without one.
+/// Whether the preset is a lidar or camera. Reads only the type, because the full reader would
+/// demand keys of other sensor types.
 bool IsOfWhatSees(const std::filesystem::path& preset) {
   const Config config = Config::FromFile(preset);
   const std::string type = config.root().Text("type", "");
@@ -48,7 +49,7 @@ TypeChoice ReadType(const ConfigMap& config) {
                               power_w = config.OptionalNumber("power_w", AtLeast(0, "W"));
   if (type.preset.empty()) return type;  // File has reported the fault
   if (!IsOfWhatSees(type.preset)) {
-    config.Fault("preset", "is no sensor that sees; need a lidar or camera");
+    config.Fault("preset", "is neither a lidar nor a camera; need one of them");
     return type;
   }
   Config sensor = Config::FromText(
@@ -57,8 +58,8 @@ TypeChoice ReadType(const ConfigMap& config) {
   sensor.Finish();
   if (ViewOf(type.sensor)->is_flat) {
     config.Fault("preset",
-                 "is a lidar whose beams have one elevation, of which no figure knows "
-                 "what it sees; need beams at several");
+                 "is a lidar whose beams all have one elevation, which no figure evaluates; need "
+                 "beams at several elevations");
   }
   if (cost) type.sensor.cost = *cost;
   if (power_w) type.sensor.power_w = *power_w;
@@ -136,7 +137,7 @@ LayoutSearch LoadSearch(const std::filesystem::path& file) {
   const Config config = Config::FromFile(file);
   LayoutSearch search = ReadSearch(config.root());
   config.Finish();
-  // The cycle may be a folder, unlike other paths of a configuration.
+  // Unlike other paths of a search, the cycle may be a folder.
   search.cycle = (file.parent_path() / search.cycle).lexically_normal();
   return search;
 }

@@ -11,62 +11,62 @@
 
 namespace tera {
 
-/// A sensor's possible mounts: on a link, within bounds that may be equal.
+/// A possible mount of a sensor: a link and bounds on the pose. Equal bounds fix a coordinate.
 ///
 /// Frames  B link, S sensor.
 struct MountBounds {
   std::string link;
   Vec3 low_B_m = Vec3::Zero(), high_B_m = Vec3::Zero();
   Vec3 low_rpy_rad = Vec3::Zero(), high_rpy_rad = Vec3::Zero();
-  std::string place;  ///< its position in the file, for messages
+  std::string place;  ///< its position in the search file, for messages
 };
 
-/// A possible type of a sensor.
+/// A sensor type that a slot can hold.
 struct TypeChoice {
   std::filesystem::path preset;
-  SensorDescription sensor;  ///< without a name and a mount
+  SensorDescription sensor;  ///< without a name or mount
 };
 
-/// A sensor that a layout may have.
+/// A sensor that each candidate layout has, or may have if `optional`.
 struct SensorSlot {
   std::string name;
   bool optional = true;
   std::vector<TypeChoice> types;
   std::vector<MountBounds> mounts;
-  std::string place;  ///< its position in the file, for messages
+  std::string place;  ///< its position in the search file, for messages
 };
 
-/// A quantity to minimise or maximise: a figure of a study (layout_measures.h), or "cost",
-/// "power_w", "data_mbyteps", "sensors".
+/// A quantity to optimise: a figure of a study (layout_measures.h) or one of "cost", "power_w",
+/// "data_mbyteps", "sensors".
 struct Objective {
   std::string figure;
   bool at_worst = false;  ///< the worst moment instead of the mean
-  std::string place;      ///< its position in the file, for messages
+  std::string place;      ///< its position in the search file, for messages
 };
 
-/// Upper limits of a layout, over the kept and the placed sensors together.
+/// Upper limits on a layout's sums over the kept and the placed sensors.
 struct Limits {
   std::optional<double> cost, power_w, data_mbyteps, sensors;
-  std::string place;  ///< its position in the file, for messages
+  std::string place;  ///< its position in the search file, for messages
 };
 
-/// Initial layouts in addition to random ones. Other starts show whether the result depends on it.
+/// The initial population. Other starts than kGreedy show whether the result depends on it.
 enum class SearchStart {
-  kGreedy,  ///< the greedy layout
-  kRandom,  ///< none
-  kWorst,   ///< none; the random layouts are the worst of ten times as many
+  kGreedy,  ///< the greedy layout and random ones
+  kRandom,  ///< random layouts
+  kWorst,   ///< the worst of ten times as many random layouts
 };
 
 /// A search for sensor layouts.
 struct LayoutSearch {
-  std::filesystem::path cycle, study;  ///< an empty study is the common one
+  std::filesystem::path cycle, study;  ///< paths; an empty study is the default study
   std::filesystem::path keep;          ///< rig whose sensors every layout has; may be empty
   std::vector<SensorSlot> slots;
   Limits limits;
   std::vector<Objective> objectives;
-  std::string place;  ///< position of its numbers in the file, for messages
+  std::string place;  ///< position of its numeric keys in the search file, for messages
   int moments =
-      12;  ///< number of evenly spread moments of the cycle at which candidates are evaluated
+      12;  ///< number of evenly spaced moments of the cycle at which candidates are evaluated
   int population = 48, generations = 40;
   SearchStart start = SearchStart::kGreedy;
   std::uint64_t seed = 1;

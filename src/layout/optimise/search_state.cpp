@@ -40,8 +40,8 @@ std::optional<SearchState> LoadState(const std::filesystem::path& file,
   }
   if (state.search_sha256 != search_sha256 || state.genes.size() != state.fitness.size()) {
     throw InputError(file.string(),
-                     fmt::format("is of another search; resume it with the files that it was begun "
-                                 "with as they were, or delete {} to start afresh",
+                     fmt::format("belongs to another search; restore the files of that search and "
+                                 "resume it, or delete {} to start afresh",
                                  file.parent_path().string()));
   }
   return state;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPercent = 100;
 
-/// The cause with the largest share, and the second if it has a tenth or more.
+/// The most frequent cause, and the second if its share is at least a tenth.
 std::string MainCauses(const std::map<std::string, double>& causes) {
   std::vector<std::pair<double, std::string>> by_share;
   for (const auto& [name, share] : causes) by_share.emplace_back(share, name);
@@ -36,19 +36,19 @@ std::string MainCauses(const std::map<std::string, double>& causes) {
 std::vector<std::string> Answer(const LayoutReport& report) {
   std::vector<std::string> lines;
   if (const Figure* seen = FindFigure(report, {Measure::kSeenBy1, kAroundZone})) {
-    lines.push_back(fmt::format("Of the space around the machine it sees {}.",
+    lines.push_back(fmt::format("Coverage of the space around the machine: {}.",
                                 MeanAndWorstText(report, *seen)));
   }
   const auto causes = report.blind_causes.find(kAroundZone);
   const Figure* blind = FindFigure(report, {Measure::kBlindVolume, kAroundZone});
   if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
-    lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
+    lines.push_back(fmt::format("Blind volume: {}; main causes: {}.",
                                 MeanAndWorstText(report, *blind), MainCauses(causes->second)));
   }
   for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
   const std::string shovel = DiggingShovel(report);
   if (const Figure* edge = FindFigure(report, {Measure::kEdgeSeen, shovel})) {
-    lines.push_back(fmt::format("Of the {}'s cutting edge it sees {}.", Spaced(shovel),
+    lines.push_back(fmt::format("Coverage of the {}'s cutting edge: {}.", Spaced(shovel),
                                 MeanAndWorstText(report, *edge)));
   }
   return lines;

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The summary that a report starts with: coverage, blind places and their causes, people, bucket.
+/// Summary at the head of a report: coverage, blind places and their causes, people, bucket.
 std::vector<std::string> Answer(const LayoutReport& report);
 
 }  // namespace tera

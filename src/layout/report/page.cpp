@@ -65,9 +65,9 @@ std::string MapLegend() {
     stops += fmt::format(",rgb({} {} {})", rgb[0], rgb[1], rgb[2]);
   }
   return fmt::format(
-      "<p class=\"soft\">never seen<span class=\"scale\" style=\"background:"
-      "linear-gradient(90deg{})\"></span>always seen; grey: inside something solid, "
-      "or beyond the site; dashed: how far the machine reaches from above, its arm left out</p>\n",
+      "<p class=\"soft\">never seen<span class=\"scale\" "
+      "style=\"background:linear-gradient(90deg{})\"></span>always seen; grey: inside a solid body "
+      "or outside the site; dashed: outline of the machine from above, without its arm</p>\n",
       stops);
 }
 

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 std::string PostureLine(const LayoutReport& report, const std::string& posture) {
-  // Indices in kQuarters, the hardest quarter to see first.
+  // Indices in kQuarters, from the quarter that is hardest to see.
   constexpr std::array<std::pair<std::size_t, const char*>, 4> kSides = {
       {{2, "behind"}, {1, "to the left"}, {3, "to the right"}, {0, "ahead"}}};
   std::vector<std::string> always, never;
@@ -21,20 +21,20 @@ std::string PostureLine(const LayoutReport& report, const std::string& posture) 
     if (at->IsNowhere()) {
       never.emplace_back(side);
     } else {
-      always.push_back(fmt::format("{} {}", side, RangeText(*at)));
+      always.push_back(fmt::format("{1} {0}", side, RangeText(*at)));
     }
   }
   if (always.empty() && never.empty()) return "";
   const std::string person = "A " + Spaced(posture) + " person is ";
   if (always.empty()) {
-    return person + "at no distance always detected in all directions of a quarter.";
+    return person + "detected at every moment at no distance of any quarter.";
   }
-  std::string line = fmt::format("{}always detected {}", person, fmt::join(always, ", "));
+  std::string line = fmt::format("{}detected at every moment {}", person, fmt::join(always, ", "));
   if (!never.empty()) line += fmt::format("; at no distance {}", fmt::join(never, ", "));
   return line + ".";
 }
 
-/// The posture with the fewest places of detection.
+/// The posture that is detected at the fewest places.
 std::string HardestPosture(const LayoutReport& report) {
   const Figure* hardest = nullptr;
   std::string name;
@@ -47,7 +47,7 @@ std::string HardestPosture(const LayoutReport& report) {
   }
   if (postures.size() < 2) return "";
   return fmt::format(
-      "Hardest to detect is a {} person: of the places up to 12 m from the machine at {}.",
+      "A {} person is the hardest to detect; share of the places up to 12 m from the machine: {}.",
       Spaced(name), MeanAndWorstText(report, *hardest));
 }
 
@@ -79,15 +79,16 @@ std::string RangeText(const AlwaysDetected& always) {
   if (always.IsNowhere()) return "at no distance";
   if (always.from_m == always.to_m) return fmt::format("at {:.0f} m", always.to_m);
   return fmt::format("from {:.0f} to {:.0f} m{}", always.from_m, always.to_m,
-                     always.has_gaps ? " with gaps" : "");
+                     always.has_gaps ? " (with gaps)" : "");
 }
 
 std::string QuartersText() {
-  return "Ahead, left, behind and right are quarters: all directions within 45° of straight ahead, "
-         "left, back and right of the upper structure. Of people the worst direction of a quarter "
-         "decides, and distances are from the machine's outline (undercarriage, tracks, blade and "
-         "upper structure from above) to her middle; of cameras' pixels they are from the upper "
-         "structure's origin, and a quarter has the mean over its directions.";
+  return "The quarters ahead, left, behind and right hold all directions within 45° of straight "
+         "ahead, left, back and right of the upper structure. For people, the worst direction of a "
+         "quarter decides. Distances of people run from the machine's outline (undercarriage, "
+         "tracks, blade and upper structure from above) to the middle of the person. For camera "
+         "pixels, distances run from the upper structure's origin, and a quarter has the mean over "
+         "its directions.";
 }
 
 std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
@@ -97,10 +98,10 @@ std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
   }
   std::erase(lines, "");
   if (const Figure* p = FindFigure(report, {Measure::kProbability, "standing"})) {
-    lines.push_back(fmt::format(
-        "By the points of lidars a standing person up to 12 m from the machine is detected with a "
-        "probability, over the places, of {}.",
-        MeanAndWorstText(report, *p)));
+    lines.push_back(
+        fmt::format("Probability that lidars detect a standing person up to 12 m from the machine, "
+                    "mean over the places: {}.",
+                    MeanAndWorstText(report, *p)));
   }
   return lines;
 }

@@ -8,25 +8,26 @@
 
 namespace tera {
 
-/// Distances at which people are always detected, the hardest posture first.
+/// Sentences with the distances at which people are detected at all times, the hardest posture
+/// first.
 std::vector<std::string> PeopleAnswer(const LayoutReport& report);
 
-/// The postures for which the report has ranges of detection.
+/// Names of the postures in the report's figures.
 std::vector<std::string> PosturesOf(const LayoutReport& report);
 
-/// Distances of detection at every moment and in every direction of a quarter.
+/// The distances at which a person is detected at every moment and in every direction of a quarter.
 struct AlwaysDetected {
-  double from_m = 0, to_m = 0;  ///< nearest and farthest
+  double from_m = 0, to_m = 0;  ///< nearest and farthest; from_m > to_m if there are none
   bool has_gaps = false;        ///< at some moment a distance in between has no detection
 
   bool IsNowhere() const { return from_m > to_m; }
 };
-/// Returns nothing if the report has no such figures.
+/// Returns nothing if the report lacks these figures.
 std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
                                                const std::string& posture, std::size_t quarter);
 /// "from 7 to 16 m", "at 7 m", "at no distance".
 std::string RangeText(const AlwaysDetected& always);
-/// Explains the quarters and the origin of the distances.
+/// A sentence that defines the quarters and the zero of the distances.
 std::string QuartersText();
 
 }  // namespace tera

@@ -19,7 +19,7 @@ constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255,
 constexpr double kRadius = 185, kMiddle = 230;         ///< figure geometry, in its own units
 constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between drawn rings and directions
 
-/// Position in a figure of a direction and a distance from the middle: ahead is up, left is left.
+/// Drawing position of a direction and a distance from the centre. Ahead is up, left is left.
 struct At {
   double x, y;
 };
@@ -50,7 +50,7 @@ std::string Hex(const std::array<std::uint8_t, 3>& rgb) {
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
-/// A part of a ring as a path.
+/// A cell of a ring as an SVG path.
 std::string RingPart(double low, double high, double from_rad, double to_rad) {
   const At a = PlaceOf(from_rad, high), b = PlaceOf(to_rad, high), c = PlaceOf(to_rad, low),
            d = PlaceOf(from_rad, low);
@@ -111,7 +111,7 @@ std::string Cells(const PolarMap& map) {
   return svg;
 }
 
-/// A closed line around the middle, as a part of a path.
+/// A closed curve around the centre, as SVG path data.
 std::string Outline(const std::vector<double>& radius_m, double most) {
   std::string path;
   for (std::size_t i = 0; i < radius_m.size(); ++i) {

@@ -10,25 +10,26 @@
 
 namespace tera {
 
-/// A map as a picture of `size_px` squared, ahead up, on white. Cells without a value are grey.
+/// Draws a map as a square picture with `size_px` pixels per side, ahead up, on white. Cells
+/// without a value are grey.
 Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px);
 
-/// The map below its title, with the directions and a legend below.
+/// As DrawMap, with title, directions and legend.
 Image<std::uint8_t> DrawMapWithWords(const PolarMap& map, int size_px);
 
-/// A map as SVG for a page, with rings every 6 m and directions. `outline` is the machine's outline
-/// by direction in the map's unit; empty: none.
+/// A map as SVG, with directions and with labelled rings every 6 m or 30 degrees. `outline` is the
+/// machine's outline by direction, in the map's unit; empty: none.
 std::string MapSvg(const PolarMap& map, const std::vector<double>& outline = {});
 
-/// Values at equal steps of a map's colours.
+/// Values at equal steps of the colour scale.
 std::vector<double> TicksOf(const PolarMap& map);
 
-/// Curves over the directions as SVG: for each the mean as a line, and the worst-moment range as an
-/// area. `css_classes` has one class per curve.
+/// Curves over the directions as SVG. For each curve a line shows the mean, and an area shows the
+/// range at the worst moment. `css_classes` has one class per curve; `most` is the end of the axis.
 std::string CurvesSvg(const std::string& title, double most, const std::vector<PolarCurve>& curves,
                       const std::vector<std::string>& css_classes);
 
-/// Colour of a value, 0 to 1, in sRGB: from dark red (bad) by white to blue.
+/// sRGB colour of a value in [0, 1]: dark red (bad), white, blue (good).
 std::array<std::uint8_t, 3> ColourOf(double share);
 
 }  // namespace tera

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 2;  ///< 1 counts people and elevations differently
+constexpr int kFormat = 2;  ///< format 1 counts people and elevations differently
 constexpr int kIndent = 1;
 
 json FigureJson(const Figure& f) {
@@ -29,8 +29,8 @@ json FigureJson(const Figure& f) {
 FigureId ReadId(const json& from) {
   const std::string name = from.at("name");
   if (const auto id = FigureIdOf(name)) return *id;
-  throw InputError("", {FaultKind::kNoSuchName,
-                        fmt::format("'{}' is no figure, map or curve that is known", name)});
+  throw InputError(
+      "", {FaultKind::kNoSuchName, fmt::format("'{}' is an unknown figure, map or curve", name)});
 }
 
 Figure ReadFigure(const json& from) {
@@ -38,9 +38,7 @@ Figure ReadFigure(const json& from) {
   if (from.at("unit") != UnitOf(id.measure) ||
       from.at("more_is_better") != IsMoreBetter(id.measure)) {
     throw InputError(
-        fmt::format("figure '{}' has another unit or is to be large where it is to be "
-                    "small",
-                    NameOf(id)));
+        fmt::format("figure '{}' has another unit or the wrong sense of better", NameOf(id)));
   }
   return {id, from.at("at"), from.at("sampling_error_at")};
 }
@@ -58,7 +56,7 @@ PolarMap ReadMap(const json& from) {
                from.at("value"),  from.at("ticks")};
   if (map.sectors <= 0 || map.rings <= 0 ||
       map.value.size() != static_cast<std::size_t>(map.sectors) * map.rings) {
-    throw InputError(fmt::format("map '{}' has not one value for each cell", NameOf(map.id)));
+    throw InputError(fmt::format("map '{}' does not have one value for each cell", NameOf(map.id)));
   }
   return map;
 }
@@ -75,7 +73,7 @@ PolarCurve ReadCurve(const json& from) {
 
 LayoutReport FromJson(const json& from) {
   if (from.at("format") != kFormat) {
-    throw InputError("", {FaultKind::kUnsupported, fmt::format("is of format {}, need {}",
+    throw InputError("", {FaultKind::kUnsupported, fmt::format("has format {}, need {}",
                                                                from.at("format").dump(), kFormat)});
   }
   LayoutReport report;
@@ -102,7 +100,7 @@ LayoutReport FromJson(const json& from) {
       continue;
     }
     throw InputError(
-        fmt::format("figure '{}' has not one value for each moment", NameOf(figure.id)));
+        fmt::format("figure '{}' does not have one value for each moment", NameOf(figure.id)));
   }
   return report;
 }
@@ -134,7 +132,7 @@ std::string ReportJson(const LayoutReport& report) {
   for (const Figure& figure : report.figures) out["figures"].push_back(FigureJson(figure));
   for (const PolarMap& map : report.maps) out["maps"].push_back(MapJson(map));
   for (const PolarCurve& curve : report.curves) out["curves"].push_back(CurveJson(curve));
-  // File names may be in any encoding.
+  // File names may contain invalid UTF-8.
   return out.dump(kIndent, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -146,24 +144,24 @@ LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
   if (!std::filesystem::exists(file, ignored)) {
     throw InputError(file.string(),
                      {FaultKind::kUnreadable,
-                      "is not there; need the folder that `tera layout evaluate` wrote of a rig"});
+                      "is missing; need the folder of a rig that `tera layout evaluate` wrote"});
   }
   const std::string text = ReadWholeFile(file);
   try {
     return FromJson(json::parse(text));
   } catch (const json::parse_error& error) {
-    throw InputError(
-        file.string(),
-        {FaultKind::kMalformed, fmt::format("is damaged, or no JSON, at byte {} of {}; need what "
-                                            "`tera layout evaluate` wrote: evaluate again",
-                                            error.byte, text.size())});
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed,
+                      fmt::format("is not valid JSON at byte {} of {}; evaluate the rig again",
+                                  error.byte, text.size())});
   } catch (const json::exception&) {
-    throw InputError(file.string(), {FaultKind::kMalformed,
-                                     "is not what `tera layout evaluate` writes; evaluate again"});
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed,
+                      "is not a report of `tera layout evaluate`; evaluate the rig again"});
   } catch (const InputError& error) {
     throw InputError(file.string(),
                      {FaultKind::kMalformed,
-                      fmt::format("{}; need what `tera layout evaluate` wrote", error.what())});
+                      fmt::format("{}; need a report of `tera layout evaluate`", error.what())});
   }
 }
 

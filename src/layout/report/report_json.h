@@ -7,11 +7,11 @@
 
 namespace tera {
 
-/// Text of layout.json (docs/reference/layout.md).
+/// Text of layout.json (format: docs/reference/layout.md).
 std::string ReportJson(const LayoutReport& report);
 
-/// Reads a layout.json, or the one in a folder. Throws InputError if it is missing, damaged, or of
-/// another format.
+/// Reads a layout.json; a folder stands for the layout.json inside. Throws InputError if the file
+/// is missing, damaged or of another format.
 LayoutReport ReadReport(const std::filesystem::path& file_or_folder);
 
 }  // namespace tera

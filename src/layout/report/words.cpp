@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kPercentOfOne = 100;
 
-/// Texts of figures in the order of Measure: {0} is the subject, {1} the quarter.
+/// Descriptions of figures in the order of Measure. {0} is the subject, {1} the quarter, {2} the
+/// sensors.
 constexpr std::array<const char*, 28> kWords = {
     "{0} seen by 1 or more sensors",
     "{0} seen by 2 or more sensors",
@@ -29,7 +30,8 @@ constexpr std::array<const char*, 28> kWords = {
     "machine's outline",
     "a {0} person is detected in every direction of the quarter {1}: farthest distance from the "
     "machine's outline",
-    "a {0} person is detected in every direction of the quarter {1}: metres of distance in all",
+    "a {0} person is detected in every direction of the quarter {1}: total length of these "
+    "distances",
     "a {0} person is detected: share of the places up to 12 m from the machine",
     "probability that lidars detect a {0} person: mean over the places up to 12 m",
     "probability that lidars detect a {0} person: mean over the places up to 12 m, {1}",
@@ -37,21 +39,21 @@ constexpr std::array<const char*, 28> kWords = {
     "{0}: share of its mouth that is seen",
     "elevation map ahead: share of cells without a point",
     "elevation map ahead: error of a cell's height",
-    "cameras that {0} a person (IEC 62676-4): share of the area out to 12 m",
-    "cameras that {0} a person (IEC 62676-4): farthest place from the upper structure, mean over "
-    "the directions of the quarter {1}",
+    "cameras {0} a person (IEC 62676-4): share of the area out to 12 m",
+    "cameras {0} a person (IEC 62676-4): farthest place from the upper structure, mean over the "
+    "directions of the quarter {1}",
     "share of the sky that the machine hides from {0}",
     "share of the sky that the site hides from {0}",
-    "information gain S-MIG, whatever is in the way",
-    "information gain S-MIG of what is in sight",
+    "information gain S-MIG without occlusion",
+    "information gain S-MIG with occlusion",
     "perception entropy of a person in the first posture",
     "from the eye: widest masking on the {0}",
     "from the eye: share of the {0} that is masked",
     "from the eye: the limit is exceeded on the {0}",
-    "how well the {0} is known, 1 sigma, by {2}",
-    "how well the {0} is known, 1 sigma, by {2}"};
+    "standard deviation of the {0}, 1 sigma, from {2}",
+    "standard deviation of the {0}, 1 sigma, from {2}"};
 
-/// A figure's subject, for people.
+/// A figure's subject in words.
 std::string SubjectText(const FigureId& id) {
   switch (SubjectOf(id.measure)) {
     case Subject::kZone:
@@ -78,9 +80,10 @@ std::string UnitText(std::string_view of) {
 std::string Describe(const FigureId& id) {
   const std::size_t measure = static_cast<std::size_t>(id.measure);
   TERA_CHECK(measure < kWords.size(), measure);
-  return fmt::format(
-      fmt::runtime(kWords[measure]), SubjectText(id), id.quarter ? kQuarters[*id.quarter].name : "",
-      id.of == "heading_of_pair" ? "one sample of two antennas" : "units, encoders and antennas");
+  return fmt::format(fmt::runtime(kWords[measure]), SubjectText(id),
+                     id.quarter ? kQuarters[*id.quarter].name : "",
+                     id.of == "heading_of_pair" ? "one sample of two antennas"
+                                                : "inertial units, encoders and antennas");
 }
 
 std::string ValueText(const FigureId& id, double value) {
@@ -94,7 +97,7 @@ std::string ValueText(const FigureId& id, double value) {
 }
 
 std::string MeanAndWorstText(const LayoutReport& report, const Figure& figure) {
-  return fmt::format("{} on average and {} at the worst moment, at {:.4g} s",
+  return fmt::format("{} on average, {} at the worst moment ({:.4g} s)",
                      ValueText(figure.id, MeanOf(figure)), ValueText(figure.id, WorstOf(figure)),
                      report.t_s[WorstMomentOf(figure)]);
 }
@@ -110,7 +113,7 @@ std::string ExpenseText(const Expense& expense) {
     return fmt::format("{} {} ({} of {} sensors {})", what, sum, said, expense.sensors, how);
   };
   return fmt::format(
-      "{}, {}, {:.3g} MB/s of data as measured",
+      "{}, {}, {:.3g} MB/s of raw data",
       part("cost", fmt::format("{:.6g}", expense.cost), expense.priced, "priced"),
       part("power", fmt::format("{:.4g} W", expense.power_w), expense.powered, "with a power"),
       expense.data_mbyteps);

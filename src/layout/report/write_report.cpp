@@ -26,7 +26,8 @@ const Measures kProbabilities = {Measure::kProbabilityMap, Measure::kWorstProbab
 bool IsAnyOf(const FigureId& id, const Measures& measures) {
   return std::find(measures.begin(), measures.end(), id.measure) != measures.end();
 }
-constexpr double kLeastShown = 0.005;  ///< smallest share on the page; the tables have all
+/// Smallest share that the page lists; the CSV tables list all.
+constexpr double kLeastShown = 0.005;
 
 std::string FiguresCsv(const LayoutReport& report) {
   std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
@@ -59,8 +60,8 @@ std::string BlindCsv(const LayoutReport& report) {
   return csv;
 }
 
-/// The maps of people, place by place: azimuths as in PolarMap, distances from the machine's
-/// outline.
+/// The maps of people as CSV, one row per place. Azimuths as in PolarMap; distances from the
+/// machine's outline.
 std::string PeopleCsv(const LayoutReport& report) {
   constexpr double kTurn_deg = 360;
   std::string csv = "map,azimuth_deg,distance_m,probability\n";
@@ -115,9 +116,8 @@ std::string CurveFigures(const LayoutReport& report, Measure measure) {
                     CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escaped(curve.title));
   }
   if (figures.empty()) return "";
-  return "<p class=\"soft\">Line: the farthest, mean over the cycle; filled: at the worst moment "
-         "of "
-         "each direction.</p>\n<div class=\"figures\">\n" +
+  return "<p class=\"soft\">Line: farthest distance, mean over the cycle. Filled: farthest "
+         "distance at the worst moment of each direction.</p>\n<div class=\"figures\">\n" +
          figures + "</div>\n";
 }
 
@@ -137,9 +137,9 @@ std::string PeopleTable(const LayoutReport& report) {
     }
   }
   if (rows.empty()) return "";
-  return "<div class=\"wide\"><table><tr><th>Person</th><th>Every direction within 45° of</th>"
-         "<th>Detected at every moment</th><th class=\"r\">Metres at which she is, mean</th>"
-         "<th class=\"r\">Worst moment</th></tr>\n" +
+  return "<div class=\"wide\"><table><tr><th>Person</th><th>Every direction within 45° "
+         "of</th><th>Detected at every moment</th><th class=\"r\">Length of these distances, "
+         "mean</th><th class=\"r\">Worst moment</th></tr>\n" +
          rows + "</table></div>\n";
 }
 
@@ -147,15 +147,14 @@ std::string PeopleSection(const LayoutReport& report) {
   const std::string shown = PeopleTable(report) + MapFigures(report, {Measure::kDetectedMap}, "") +
                             CurveFigures(report, Measure::kPersonCurve);
   if (shown.empty()) return "";
-  return "<h2>From where to where a person is detected</h2>\n<p class=\"soft\">" + QuartersText() +
-         "</p>\n" + shown;
+  return "<h2>Detection ranges of people</h2>\n<p class=\"soft\">" + QuartersText() + "</p>\n" +
+         shown;
 }
 
 std::string FigureTable(const LayoutReport& report) {
   std::string html =
-      "<h2>All figures</h2>\n<p class=\"soft\">The sampling error is one standard deviation, by "
-      "the "
-      "number of places that were tried.</p>\n<p class=\"soft\">" +
+      "<h2>All figures</h2>\n<p class=\"soft\">The sampling error is one standard deviation and "
+      "depends on the number of sampled places.</p>\n<p class=\"soft\">" +
       QuartersText() +
       "</p>\n<div class=\"wide\"><table><tr><th>Figure</th>"
       "<th class=\"r\">Mean</th><th class=\"r\">Worst moment</th><th class=\"r\">Sampling "
@@ -171,7 +170,7 @@ std::string FigureTable(const LayoutReport& report) {
   return html + "</table></div>\n";
 }
 
-/// Two levels of names with a share each.
+/// HTML table of shares under two levels of names.
 std::string ShareTable(const std::string& heading, const char* first, const char* second,
                        const std::map<std::string, std::map<std::string, double>>& shares) {
   std::string rows;
@@ -196,7 +195,7 @@ std::string ShareTable(const std::string& heading, const char* first, const char
 
 std::string ReportPage(const LayoutReport& report) {
   std::string html = PageBegin("Sensor layout " + report.name);
-  html += fmt::format("<h1>What does the layout “{}” see?</h1>\n", Escaped(report.name));
+  html += fmt::format("<h1>Coverage of the layout “{}”</h1>\n", Escaped(report.name));
   for (const std::string& line : Answer(report)) {
     html += fmt::format("<p class=\"answer\">{}</p>\n", Escaped(line));
   }
@@ -204,24 +203,25 @@ std::string ReportPage(const LayoutReport& report) {
     html += fmt::format("<p class=\"warning\">{}</p>\n", Escaped(warning));
   }
   html += fmt::format(
-      "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} from {:.1f} to {:.1f} s. It "
-      "takes {}.</p>\n",
+      "<p class=\"soft\">Rig {}; lidars and cameras: {}. Cycle {}: {} from {:.1f} to {:.1f} s. "
+      "Expense: {}.</p>\n",
       Escaped(report.file), Escaped(fmt::format("{}", fmt::join(report.viewers, ", "))),
       Escaped(report.cycle),
       report.t_s.size() == 1 ? "1 moment" : fmt::format("{} moments", report.t_s.size()),
       report.t_s.front(), report.t_s.back(), ExpenseText(report.expense));
   html += MapFigures(report, {Measure::kSeenMap},
-                     "<h2>What is seen around the machine</h2>\n" + MapLegend());
+                     "<h2>Coverage around the machine</h2>\n" + MapLegend());
   html += PeopleSection(report);
   html += MapFigures(report, kProbabilities,
-                     "<h2>With what probability lidars detect a person</h2>\n<p class=\"soft\">By "
-                     "the fewest points that a detector of clusters takes for somebody; clutter "
-                     "and false alarms are not in it.</p>\n");
-  html += MapFigures(report, {Measure::kPixelMap}, "<h2>How finely cameras show a person</h2>\n");
+                     "<h2>Probability that lidars detect a person</h2>\n<p class=\"soft\">A "
+                     "cluster detector needs a minimum number of points on a person; clutter and "
+                     "false alarms are not modelled.</p>\n");
+  html +=
+      MapFigures(report, {Measure::kPixelMap}, "<h2>Pixel density of cameras on a person</h2>\n");
   html += CurveFigures(report, Measure::kPixelCurve);
-  html += MapFigures(report, {Measure::kSkyHidden}, "<h2>What antennas see of the sky</h2>\n");
-  html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
-  html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);
+  html += MapFigures(report, {Measure::kSkyHidden}, "<h2>Sky view of antennas</h2>\n");
+  html += ShareTable("Causes of blind places", "Zone", "Cause", report.blind_causes);
+  html += ShareTable("Places seen by two sensors", "Zone", "Sensors", report.overlaps);
   return html + FigureTable(report) + PageEnd();
 }
 

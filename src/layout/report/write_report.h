@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Writes a report into `folder`: layout.json, figures.csv (mean, worst, errors), moments.csv
-/// (every moment), blind.csv (causes), maps/*.png and report.html, which needs no network.
+/// Writes a report into `folder`: layout.json, figures.csv (mean, worst, errors), moments.csv (each
+/// moment), blind.csv (causes), maps/*.png and report.html, which loads nothing from the network.
 ///
 /// Throws  InputError if a file cannot be written.
 void WriteReport(const LayoutReport& report, const std::filesystem::path& folder);

@@ -8,8 +8,8 @@ namespace tera {
 namespace {
 
 constexpr double kHighest_m = 1.75;   ///< height of a person
-constexpr double kThinnest_m = 0.05;  ///< thickness of a part that counts
-constexpr double kHullReach_m = 20;   ///< largest distance of a machine's parts from its middle
+constexpr double kThinnest_m = 0.05;  ///< step of the tested heights; thinner parts may be missed
+constexpr double kHullReach_m = 20;   ///< no part of a machine is farther from its origin
 
 bool IsHull(SemanticClass label) {
   return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||

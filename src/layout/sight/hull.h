@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// Reach of a machine in each of `sectors` directions around H, counterclockwise from its x axis.
-/// It extends to the outermost point of undercarriage, tracks, blade and upper structure up to the
-/// height of a person. Boom, arm and bucket do not count.
+/// Distance from H to the outermost point of a machine in each of `sectors` directions,
+/// counterclockwise from the x axis of H. Counts undercarriage, tracks, blade and upper structure
+/// up to the height of a person, but not boom, arm and bucket.
 ///
 /// Frames  H stands upright on the ground.
 std::vector<double> HullRadii_m(const Pose& X_WH, std::size_t machine, int sectors,

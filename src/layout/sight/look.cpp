@@ -5,13 +5,14 @@
 namespace tera {
 namespace {
 
-/// Whether a surface at this distance with this returned share of the light is in reach.
+/// Whether the viewer can see a surface at this distance that returns the share `returned` of the
+/// light.
 bool IsInReach(const ViewField& field, double distance_m, double returned, bool ranges) {
   if (distance_m < field.nearest_m || distance_m > field.reach_m(returned)) return false;
   return !ranges || (distance_m >= field.min_distance_m && distance_m <= field.max_distance_m);
 }
 
-/// The view without occlusion.
+/// The view if nothing occludes the target.
 Look Unhindered(const Viewer& viewer, const Target& target, const Asked& asked) {
   const ViewField& field = viewer.field;
   const Vec3 way_W_m = target.p_W_m - viewer.X_WS.translation();

@@ -27,13 +27,13 @@ std::vector<Vec3> Directions() {
   return directions;
 }
 
-/// Counts of the lines from a mount for one part.
+/// What the rays from a mount show about one part.
 struct Evidence {
-  int inside = 0;  ///< directions in which the mount is inside
+  int inside = 0;  ///< number of rays whose exits and entries differ
   double nearest_m = kFarthestPart_m;
 };
 
-/// Counts one direction.
+/// Adds the crossings of one ray to the evidence.
 void Count(const std::vector<Sighting::Crossing>& crossings, const std::vector<bool>& is_part,
            std::map<std::uint16_t, Evidence>* of_parts) {
   std::map<std::uint16_t, int> out;  // exits minus entries of the line
@@ -78,10 +78,10 @@ void MountCheck::Keep(const BuriedMount& found) {
 std::vector<std::string> MountCheck::Warnings() const {
   std::vector<std::string> warnings;
   for (const BuriedMount& mount : buried_) {
-    warnings.push_back(fmt::format(
-        "{}: its mount lies {:.2f} m inside {}, and it sees nothing but that; need a place in the "
-        "air: move the sensor's xyz_m, or mend the mesh",
-        mount.viewer, mount.depth_m, mount.part));
+    warnings.push_back(
+        fmt::format("{}: its mount lies {:.2f} m inside {}, and it sees nothing else; move its "
+                    "xyz_m into free air, or correct the mesh",
+                    mount.viewer, mount.depth_m, mount.part));
   }
   return warnings;
 }

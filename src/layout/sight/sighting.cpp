@@ -11,13 +11,13 @@ constexpr float kFarthestSeen_m = 300;
 constexpr std::size_t kDirections = 6;
 constexpr std::size_t kDown = 5;  ///< index of the downward direction
 
-/// The rest of a line from `at_m` on.
+/// A line that is to be followed from `at_m` on.
 struct Rest {
   std::size_t line = 0;
   double at_m = 0;
 };
 
-/// From `at_m` on a line to `before_m` before its end.
+/// Ray along a line, from `at_m` to `before_m` before its end.
 Ray RayOf(const Sighting::Line& line, double at_m, double before_m) {
   const Vec3 way_W_m = line.to_W_m - line.from_W_m;
   const double length_m = way_W_m.norm();
@@ -37,7 +37,7 @@ void Sighting::Show(const Instant& now, const TerrainSurface& ground) {
 }
 
 void Sighting::Follow(std::span<const Line> lines, double before_m, const GoesOn& goes_on) const {
-  constexpr double kPast_m = 1e-4;  // behind a surface
+  constexpr double kPast_m = 1e-4;  // the next ray starts this far behind a surface
   std::vector<Rest> rests(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) rests[i].line = i;
   while (!rests.empty()) {
@@ -117,7 +117,7 @@ std::vector<bool> Sighting::InstancesOf(std::size_t machine,
 
 double Sighting::NearestOf(const std::vector<bool>& instances, const Vec3& from_W_m,
                            const Vec3& d_W, double farthest_m) const {
-  constexpr double kPast_m = 1e-3;  // behind a skipped surface
+  constexpr double kPast_m = 1e-3;  // the next ray starts this far behind a skipped surface
   double at_m = 0;
   while (at_m < farthest_m) {
     const Ray ray{.origin_W_m = (from_W_m + at_m * d_W).cast<float>(),

@@ -29,8 +29,8 @@ Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved
   if (!fs::exists(dataset_or_scenario, ignored)) {
     throw InputError(dataset_or_scenario.string(),
                      {FaultKind::kNoSuchName,
-                      "there is no such dataset or scenario; need the folder of a dataset that "
-                      "`tera generate --keep-state` wrote, or a scenario's file (YAML)"});
+                      "no such dataset or scenario; need the folder of a dataset that `tera "
+                      "generate --keep-state` wrote, or a scenario file (YAML)"});
   }
   if (!fs::is_directory(dataset_or_scenario, ignored)) {
     scenario_file_ = dataset_or_scenario;
@@ -47,7 +47,7 @@ void RequireRigFile(const fs::path& file) {
   if (fs::is_regular_file(file, ignored)) return;
   throw InputError(file.string(),
                    {FaultKind::kUnreadable,
-                    fmt::format("{}; need a rig's file (YAML)",
+                    fmt::format("{}; need a rig file (YAML)",
                                 fs::is_directory(file, ignored) ? "is a folder" : "no such file")});
 }
 
@@ -84,7 +84,7 @@ void Cycle::ForEachMoment(double rate_hz, const Visit& visit, const Visit& on_st
   std::int64_t next = 0;
   ForEachStep([&](const Instant& now, const TerrainSurface& ground) {
     if (on_step) on_step(now, ground);
-    const TimeNs until_ns = now.t_ns + half_step_ns;  // from there on the next step is nearer
+    const TimeNs until_ns = now.t_ns + half_step_ns;  // at later times the next step is nearer
     if (until_ns < clock.Due(next)) return;
     visit(now, ground);
     while (clock.Due(next) <= until_ns) ++next;

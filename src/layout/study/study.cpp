@@ -115,7 +115,8 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
     study.map_heights_m = config.Numbers("map_heights_m", Between(0, 20, "m"), 1, 20);
     const std::set<double> heights_m(study.map_heights_m.begin(), study.map_heights_m.end());
     if (heights_m.size() < study.map_heights_m.size()) {
-      config.Fault("map_heights_m", {FaultKind::kRepeated, "one is given twice; need each once"});
+      config.Fault("map_heights_m",
+                   {FaultKind::kRepeated, "a height occurs twice; give each once"});
     }
   }
   std::set<std::string> names;

@@ -17,13 +17,13 @@ namespace tera {
 namespace {
 
 constexpr double kLongestZone_m =
-    200;  ///< limit of any length of a zone, beyond every sensor's reach
+    200;  ///< limit on every length of a zone; exceeds the range of every sensor
 
-/// Least share of its bounding rectangle that an outline must fill, since points are drawn in that
-/// rectangle.
+/// Smallest share of its bounding rectangle that an outline must fill. Points are drawn in that
+/// rectangle, and most would be rejected below this share.
 constexpr double kLeastFilled = 0.01, kPercent = 100;
 
-/// The fault of an outline's corners, or nothing.
+/// Describes what is wrong with an outline, or returns an empty text.
 std::string OutlineFault(const std::vector<Vec2>& corners_m) {
   if (corners_m.empty()) return "";  // the fault is already reported
   if (const auto sides = FirstCrossing(corners_m)) {
@@ -41,8 +41,8 @@ std::string OutlineFault(const std::vector<Vec2>& corners_m) {
     return "its corners lie on one line and enclose nothing; need corners around a region";
   }
   return fmt::format(
-      "its corners enclose next to nothing: {:.2g} m2, {:.2g} % of the rectangle around them; need "
-      "{:g} % of that at least",
+      "its corners enclose too little: {:.2g} m2, {:.2g} % of the rectangle around them; need at "
+      "least {:g} %",
       area_m2, kPercent * area_m2 / around_m2, kPercent * kLeastFilled);
 }
 

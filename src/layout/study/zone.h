@@ -10,49 +10,50 @@
 
 namespace tera {
 
-/// Name of the zone around the machine, which every study has.
+/// Name of the zone around the machine. Every study has it.
 inline constexpr char kAroundZone[] = "around";
 
-/// A box about the origin of its zone's pose.
+/// A box, centred on the origin of its zone's frame Z.
 struct ZoneBox {
   Vec3 size_m = Vec3::Ones();
 };
 
-/// An upright cylinder that stands on the origin of its zone's pose.
+/// An upright cylinder whose base is centred on the origin of Z.
 struct ZoneCylinder {
   double radius_m = 1, height_m = 1;
 };
 
-/// A prism over a polygon in x and y, corners in order, between two heights.
+/// A prism: a polygon in x and y of Z, extruded between two heights. Corners are in order around
+/// the polygon.
 struct ZonePrism {
   std::vector<Vec2> corners_m;
   double low_m = 0, high_m = 1;
 };
 
-/// A part of space whose coverage is measured.
+/// A volume whose coverage is measured.
 ///
-/// Frames  F the zone's frame: W, or a link of the machine. With `level`, F has the link's position
-///         and heading and stands upright. Z the shape's own, at X_FZ.
+/// Frames  F is the reference frame: W or a link of the machine. With `level`, F takes only the
+///         link's position and heading and stands upright. Z is the shape's own frame, at X_FZ.
 struct Zone {
   std::string name;
   std::string frame = "W";  ///< "W" or a link's name
   bool level = true;
-  std::string place = "study: zone";  ///< its position in the file, for messages
-  bool on_ground = false;             ///< F stands on the ground below the link's origin
+  std::string place = "study: zone";  ///< its position in the study file, for messages
+  bool on_ground = false;             ///< move F vertically onto the ground below the link's origin
   Pose X_FZ = Pose::Identity();
   std::variant<ZoneBox, ZoneCylinder, ZonePrism> shape = ZoneBox{};
 };
 
-/// Reads a zone. Faults go to `config`; the caller checks the link's name.
+/// Reads a zone. Faults go to `config`. The caller checks the name of the link.
 Zone ReadZone(const ConfigMap& config);
 
 double Volume_m3(const Zone& zone);
-/// About `count` points in Z, one random point in each cell of equal volume, more if cells cross
-/// the shape's border. The error of a share over them falls faster than with purely random points.
-/// The points depend only on the arguments.
+/// About `count` random points in Z: one in each cell of a grid of equal volumes. Cells that cross
+/// the border of the shape raise the number. The sampling error falls faster than with purely
+/// random points. The result depends only on the arguments.
 std::vector<Vec3> PointsIn(const Zone& zone, int count, std::uint64_t seed);
 
-/// The upright pose at a link's position and heading, the direction of its x axis from above.
+/// Upright pose with the link's position and heading (direction of its x axis, seen from above).
 Pose Levelled(const Pose& X_WB);
 
 }  // namespace tera

@@ -20,8 +20,8 @@ AxisParameters AxisOf(const Effects& effects, const ActuatorEffort& effort) {
   return axis;
 }
 
-/// Number of tabulated positions over a joint's travel. Linear interpolation between them keeps
-/// lever arms and displacements within 1e-4 relative.
+/// Number of tabulated positions over the travel of a joint. Linear interpolation between them has
+/// a relative error of at most 1e-4 in lever arms and displacements.
 constexpr int kArms = 129;
 
 template <typename ValueAt>
@@ -45,14 +45,14 @@ void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainP
   }
 }
 
-/// Whether a cylinder with a bore drives the joint.
+/// True if a cylinder with a bore drives the joint.
 bool HasDrivingCylinder(const MachineModel& model, std::size_t joint) {
   return std::any_of(model.cylinders.begin(), model.cylinders.end(), [&](const Cylinder& c) {
     return c.joint == static_cast<int>(joint) && c.bore_m > 0;
   });
 }
 
-/// Displacement of the joint's driving cylinders, or else the joint's own constant.
+/// Sets the displacement: that of the driving cylinders, or else the joint's own constant.
 void SetDisplacement(const MachineModel& model, std::size_t joint, AxisParameters* axis) {
   const Joint& j = model.joints[joint];
   if (!HasDrivingCylinder(model, joint)) {

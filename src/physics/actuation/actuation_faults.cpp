@@ -10,14 +10,14 @@
 namespace tera {
 namespace {
 
-/// A cylinder with less has no hold on its joint.
+/// With a smaller lever arm a cylinder cannot move its joint.
 constexpr double kLeastArm_m = 1e-3;
 
 std::string_view EffortKey(const Joint& joint) {
   return joint.type == JointType::kPrismatic ? "max_effort_n" : "max_effort_nm";
 }
 
-/// Why nothing moves an axis at a commanded rate, empty if something does.
+/// Reason why nothing moves an axis at a commanded rate; empty if something does.
 std::string WhyUndriven(bool has_lever, double max_rate_radps, double max_effort_nm,
                         std::string_view effort_key) {
   if (!has_lever) return "no lever of the machine drives it; name it under levers";
@@ -35,24 +35,24 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
                      j.max_effort_nm, EffortKey(j));
 }
 
-/// Whether a mechanism shapes a commanded rate, and hence has no effect on an undriven axis. This
-/// includes structural_flex: a flexible link also yields to its load, but its effect on an undriven
-/// joint is not modelled.
+/// True if a mechanism acts on a commanded rate, and so has no effect on an undriven axis. It
+/// includes structural_flex: its effect on an undriven joint is not modelled, although a flexible
+/// link also yields to its load.
 bool ShapesRate(const Mechanism& mechanism) {
   return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
          mechanism.id == "drive_friction" || mechanism.id == "structural_flex";
 }
 
-/// A joint or gear, as far as its effects depend on it.
+/// The properties of a joint or gear that its effects depend on.
 struct Axis {
-  std::string undriven;  ///< the reason, empty if something drives it
+  std::string undriven;  ///< reason why nothing drives it; empty if something does
   double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
   double max_effort_nm = 0;
   std::string_view effort_key;
   ActuatorEffort effort;
 };
 
-/// How a dead band exhausts a full lever in one direction; empty if it does not.
+/// Message if a dead band covers the full lever range in one direction; otherwise empty.
 std::string FaultOfDeadBand(const LeverMapParameters& map) {
   const double end_positive = std::min(1.0, map.limit_positive);
   const double end_negative = std::min(1.0, map.limit_negative);
@@ -66,7 +66,7 @@ std::string FaultOfDeadBand(const LeverMapParameters& map) {
       positive ? "positive" : "negative", dead, end, end < 1 ? " by lever_saturation" : "");
 }
 
-/// How friction alone exceeds the stall effort of pressure_droop; empty if it does not.
+/// Message if friction alone exceeds the stall effort of pressure_droop; otherwise empty.
 std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
   const LeverMapParameters map = LeverMapOf(effects);
@@ -91,7 +91,7 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// How dry friction holds the axis at rest at full lever in one direction; empty if it does not.
+/// Message if dry friction holds the axis at rest at full lever in one direction; otherwise empty.
 std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
   const double held_radps = load.lost_radps * load.breakaway;
@@ -110,8 +110,8 @@ std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// Faults of a joint or gear: effects on an undriven axis, a leak without the pressure that drives
-/// it, and numbers at which a full lever does not move it.
+/// Faults of a joint or gear: effects on an undriven axis, a leak without effort to drive it, and
+/// numbers with which a full lever causes no motion.
 std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) {
   std::vector<EffectFault> faults;
   for (const Effect& effect : effects) {
@@ -135,7 +135,7 @@ std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) 
   return faults;
 }
 
-/// Adds the fault of a learned effect on an axis that nothing drives.
+/// Adds the fault of a learned effect on an undriven axis.
 void AddLearned(const MachineModel& model, std::size_t axis, const std::string& undriven,
                 std::vector<EffectFault>* faults) {
   if (undriven.empty() || LearnedAt(model.effects, axis) == nullptr) return;

@@ -7,12 +7,11 @@
 
 #include "physics/description/machine.h"
 
-/// Effects without any action: the machine lacks the part they act through, or their numbers leave
-/// no lever any motion.
+/// Effects that cannot act, because the machine lacks the necessary part or their numbers suppress
+/// all motion.
 
 namespace tera {
 
-/// An effect that cannot act, and the reason.
 struct EffectFault {
   std::string_view mechanism;
   std::string finding;  ///< the fault and its remedy
@@ -23,7 +22,7 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear);
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump);
 
-/// Why no drive turns a track or wheel set at a commanded rate; empty if one does.
+/// Reason why no drive turns a track or wheel set at a commanded rate; empty if one does.
 std::string WhyGearUndriven(const MachineModel& model, std::size_t gear);
 
 }  // namespace tera

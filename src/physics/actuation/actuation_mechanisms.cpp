@@ -9,8 +9,8 @@ namespace {
 
 using enum Slot;
 
-/// Ranges exceed those of known machines (docs/reference/mechanisms.md), so that a search for the
-/// cause of a mismatch does not end at a bound.
+/// The ranges exceed those of known machines (docs/reference/mechanisms.md). So a fit to recorded
+/// data does not stop at a bound.
 std::vector<Mechanism> Table() {
   const std::vector<EffectTarget> drives = {EffectTarget::kJoint, EffectTarget::kGear},
                                   joint = {EffectTarget::kJoint}, pump = {EffectTarget::kPump};

@@ -56,8 +56,7 @@ void ActuatorDynamics::Prepare(double dt_s) {
   turn_ = std::polar(std::exp(-parameters_.beta_1ps * dt_s), parameters_.eta_radps * dt_s);
 }
 
-/// Moves towards `command_radps`: at the rate limit first, then in proportion to the error, which
-/// decays.
+/// Moves towards the command: first at the rate limit, then with an exponentially decaying error.
 double ActuatorDynamics::Limit(double command_radps, double dt_s) const {
   const double error = command_radps - limited_radps_;
   const double most = parameters_.max_change_radps2, band_s = parameters_.band_s;

@@ -5,7 +5,8 @@
 
 #include "physics/description/machine.h"
 
-/// Axes that levers drive, in the order of the actuation chain: joints first, then running gears.
+/// Names of the axes that levers drive, in the order of the actuation chain: joints first, then
+/// running gears.
 
 namespace tera {
 
@@ -14,7 +15,7 @@ std::string NameOfAxis(const MachineModel& model, std::size_t axis);
 /// Index of the axis of that name, or -1.
 int AxisNamed(const MachineModel& model, const std::string& name);
 
-/// Whether a lever of the machine drives the axis.
+/// True if a lever of the machine drives the axis.
 bool HasLever(const MachineModel& model, std::size_t axis);
 
 }  // namespace tera

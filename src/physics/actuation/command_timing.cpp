@@ -8,10 +8,10 @@
 namespace tera {
 namespace {
 
-/// Fastest step rate, which sizes the ring of past commands for the delay.
+/// Greatest step rate, which determines the size of the ring buffer.
 constexpr double kFastest_hz = 5000;
-/// Tolerance, in messages, against rounding of the quotient: a message due at the instant of a step
-/// counts in it.
+/// Tolerance against rounding, in messages: a message due at the start of a step belongs to this
+/// step.
 constexpr double kRounding = 1e-9;
 
 std::int64_t MessageAt(double t_s, double period_s, double phase) {
@@ -85,8 +85,8 @@ double CommandTiming::Delay(double command, double dt_s) {
 }
 
 double CommandTiming::Spread(double command, double dt_s) {
-  // The box of delays and the box of a step have together the variance of one box this wide. The
-  // bound keeps commands from acting before they are given.
+  // Width of one uniform distribution with the variance of the delays and of a step together. The
+  // bound keeps commands from acting early.
   const double width_s = std::min(
       std::sqrt(12 * parameters_.delay_spread_s * parameters_.delay_spread_s + dt_s * dt_s),
       2 * parameters_.delay_s + dt_s);
@@ -103,12 +103,13 @@ void CommandTiming::Remember(double value) {
   past_[newest_] = value;
 }
 
-/// The value remembered `steps` steps before the newest. The ring bounds `steps`.
+/// The value stored `steps` steps before the newest one. `steps` must be less than the size of the
+/// ring buffer.
 double CommandTiming::Past(std::size_t steps) const {
   return past_[steps <= newest_ ? newest_ - steps : newest_ + past_.size() - steps];
 }
 
-/// Sum of all commands over time, up to `steps` steps before the end of the newest one.
+/// Time integral of the commands up to `steps` steps before the end of the newest one.
 double CommandTiming::SumBefore_s(double steps) const {
   const auto whole = static_cast<std::size_t>(std::max(0.0, steps));
   TERA_CHECK(whole + 2 <= past_.size(), steps, parameters_.delay_s);

@@ -8,32 +8,32 @@
 
 namespace tera {
 
-/// Timing faults of a command between lever and valve. The defaults have none.
+/// Timing errors of a command between lever and valve. The defaults have none.
 struct CommandTimingParameters {
   double hold_period_s = 0;  ///< 0: sampled in every step
   double hold_phase = 0;     ///< time of the first message after t = 0, as a share of the period
-  double drop_period_s = 0;  ///< one message each; 0: no losses
+  double drop_period_s = 0;  ///< period of the messages; 0 for no losses
   double drop_probability = 0;
   double delay_s = 0;
-  double delay_spread_s = 0;  ///< standard deviation of the parts of a command about its delay
+  double delay_spread_s = 0;  ///< standard deviation of the delay over the parts of a command
 };
 
 CommandTimingParameters CommandTimingOf(const Effects& effects);
 
-/// Slot `command_timing` of one lever: the sender samples it, messages are lost, and the rest
-/// arrive late.
+/// Slot `command_timing` of one lever: sampling by the sender, lost messages and delay.
 ///
-/// Model   input_hold: the command at t = (k + phase) P stands until the next such time. Before the
-///         first one stands the first command of all.
-///         command_drops: each message k P .. (k + 1) P is lost with one probability, independently
-///         of the others. The last command before it stands meanwhile.
-///         command_delay: y(t) = u(t - d), where u is held over each step and y is its mean over a
-///         step. The commands' sum is therefore exact for any d. With a spread s, y is the mean
-///         over all delays from d - w / 2 to d + w / 2 alike. w = sqrt(12) s but at most 2 d, so
-///         that nothing acts before it is given. Box and step together count as one box of the same
-///         variance, taken at the middle of each step.
-/// Omits   jitter of the delay; reordered messages; the edge of a spread delay's box within a step,
-///         dt^2 / (8 w) of the commands' sum.
+/// Model   input_hold: the command at t = (k + phase) P is held until the next such time. Until the
+///         first such time, the first command is held.
+///         command_drops: each message k P .. (k + 1) P is lost with a given probability,
+///         independently. The last received command is held meanwhile.
+///         command_delay: y(t) = u(t - d). u is constant over each step and y is its mean over a
+///         step, so that the sum of commands is exact for any d. With a spread s, y is the mean
+///         over a uniform distribution of delays from d - w / 2 to d + w / 2. Its width w is
+///         sqrt(12) s but at most 2 d, so that no command acts early. The distribution and the step
+///         together count as one uniform distribution of the same variance, taken at the middle of
+///         each step.
+/// Omits   Jitter of the delay; reordered messages; the edge of the distribution within a step, an
+///         error of dt^2 / (8 w) of the sum of commands.
 class CommandTiming {
  public:
   /// `drops` decides which messages are lost. `first_step` is the index of the first step.
@@ -61,8 +61,7 @@ class CommandTiming {
   bool held_any_ = false;
   std::int64_t held_message_ = 0;
   double held_ = 0, received_ = 0;
-  /// Ring of past commands, or of their sums over time with a spread. All are neutral before the
-  /// first.
+  /// Ring buffer of past commands, or of their time integrals if there is a spread. Initially zero.
   std::vector<double> past_;
   std::size_t newest_ = 0;
   double sum_s_ = 0;

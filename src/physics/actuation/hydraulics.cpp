@@ -6,14 +6,14 @@
 namespace tera {
 namespace {
 
-/// Greatest force with which one cylinder pushes (`sign` +1) or pulls (-1), a magnitude.
+/// Magnitude of the greatest force with which one cylinder pushes (`sign` +1) or pulls (-1).
 double ReliefForce_n(const Cylinder& cylinder, double sign) {
   const double head_m2 = HeadArea_m2(cylinder), rod_m2 = RodArea_m2(cylinder);
   const double pressed_m2 = sign > 0 ? head_m2 : rod_m2, other_m2 = sign > 0 ? rod_m2 : head_m2;
   return std::max(0.0, cylinder.relief_pa * pressed_m2 - cylinder.return_pressure_pa * other_m2);
 }
 
-/// Adds the relief effort of one entry's cylinders at lever arm `arm_m`.
+/// Adds the relief effort of the cylinders of one entry at lever arm `arm_m`.
 void AddReliefEffort(const Cylinder& cylinder, double arm_m, EffortLimits* limits) {
   const double arms_m = cylinder.count * std::abs(arm_m);
   limits->positive_nm += arms_m * ReliefForce_n(cylinder, arm_m);
@@ -24,8 +24,7 @@ void AddReliefEffort(const Cylinder& cylinder, double arm_m, EffortLimits* limit
 void SetPressures(const Cylinder& cylinder, double force_n, CylinderState* state) {
   const double head_m2 = HeadArea_m2(cylinder), rod_m2 = RodArea_m2(cylinder);
   const double low_pa = cylinder.return_pressure_pa, high_pa = cylinder.relief_pa;
-  // Both chambers at the return pressure push with this force; above it, the head side carries the
-  // load.
+  // Force with both chambers at return pressure. Above it, the head side carries the load.
   const double balance_n = low_pa * (head_m2 - rod_m2);
   state->head_pressure_pa = state->rod_pressure_pa = low_pa;
   if (force_n > balance_n) {

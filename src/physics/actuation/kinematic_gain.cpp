@@ -15,7 +15,7 @@ double LeverArm_m(const KinematicGainParameters& p, double position_rad) {
   const double half = std::sin(0.5 * angle_rad), difference_m = p.barrel_m - p.rod_m;
   const double length_m =
       std::sqrt(difference_m * difference_m + 4 * p.barrel_m * p.rod_m * half * half);
-  if (length_m == 0) return 0;  // both pins at one place
+  if (length_m == 0) return 0;  // both pins coincide
   return p.barrel_m * p.rod_m * std::abs(std::sin(angle_rad)) / length_m;
 }
 

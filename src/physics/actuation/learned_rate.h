@@ -9,10 +9,10 @@
 
 namespace tera {
 
-/// Direction of a lever's last motion, -1 or 1; 0 at neutral.
+/// Direction of the last motion of a lever, -1 or 1; 0 at neutral.
 ///
-/// Model   hysteresis of 0.01 against the tremor of a held lever: a motion counts where the lever
-///         is more than 0.01 from the followed position.
+/// Model   A hysteresis of 0.01 suppresses the tremor of a held lever: only motion of more than
+///         0.01 from the followed position counts.
 class LeverWay {
  public:
   double Step(double lever) {
@@ -28,25 +28,25 @@ class LeverWay {
   double followed_ = 0, way_ = 0;
 };
 
-/// Inputs of a learned effect over a step, apart from the rate. The lever is that of the variable's
-/// axis; position and load are those of the affected axis.
+/// Inputs of a learned effect over a step, apart from the rate. The lever is that of the axis of
+/// the effect's variable. Position and load are those of the affected axis.
 struct LearnedInput {
   double lever = 0, position_rad = 0, load_nm = 0, time_s = 0;
 };
 
-/// A learned effect at the end of an axis's chain, after load_friction.
+/// A learned effect at the end of the chain of an axis, after load_friction.
 ///
-/// Model   share: w' = w (1 + c(x)), c >= -1; added: w' = w + c(x), |c| <= |w|. A learned effect
-///         can therefore stop the axis but never reverse it. An axis at rest, as under neutral
-///         levers, stays at rest.
-/// Omits   oil and power, which the pumps share out earlier.
+/// Model   As a share, w' = w (1 + c(x)) with c >= -1. As an addition, w' = w + c(x) with |c| <=
+///         |w|. So a learned effect can stop the axis but never reverse it, and an axis at rest
+///         stays at rest.
+/// Omits   Oil and power of the changed rate: the pumps share their flow earlier in the chain.
 class LearnedRate {
  public:
   explicit LearnedRate(LearnedEffect effect) : effect_(std::move(effect)) {}
 
   bool ReadsLoad() const { return effect_.variable.kind == LearnedVariable::Kind::kLoad; }
   std::size_t lever_axis() const { return effect_.variable.axis; }
-  /// Corrected rate for `rate_radps`, the demand of the rest of the chain over a step.
+  /// Corrected rate for `rate_radps`, the output of the rest of the chain.
   double Step(double rate_radps, const LearnedInput& input);
 
  private:
@@ -54,9 +54,9 @@ class LearnedRate {
   LeverWay way_;
 };
 
-/// Variables that a learned effect of an axis (joints first, then gears) may depend on. Simulation
-/// and replay both know them: levers of all axes and their directions; the axis's own position,
-/// load and rate; time since the start of the scenario.
+/// Variables that a learned effect of an axis (joints first, then gears) may depend on. Both
+/// simulation and replay know them. They are the levers of all axes and their directions, the
+/// axis's own position, load and rate, and the time since the start of the scenario.
 std::vector<LearnedVariable> LearnedVariablesOf(const MachineModel& model, std::size_t axis);
 
 /// The learned effect of an axis, or nullptr.

@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-/// Pose with its origin at `origin`, x towards `target` and y along `axis`, perpendicular to it.
+/// Pose with its origin at `origin`, x towards `target` and y along `axis`, which is perpendicular
+/// to x.
 Pose AlongBar(const Vec3& origin, const Vec3& target, const Vec3& axis) {
   Mat3 R;
   R.col(0) = (target - origin).normalized();
@@ -27,8 +28,8 @@ struct JointPlace {
   Vec3 axis_P;
 };
 
-/// Intersection of the circles about `a` and `b` in the plane normal to `axis`. `side` +1 selects
-/// the side of the line a to b towards which a positive turn about the axis leads.
+/// Intersection of two circles about `a` and `b` in the plane normal to `axis`. `side` +1 selects
+/// the side of the line from a to b to which a positive turn about the axis leads.
 std::optional<Vec3> MeetingPoint(const Vec3& a, double a_radius_m, const Vec3& b, double b_radius_m,
                                  const Vec3& axis, int side) {
   const Vec3 line = b - a;
@@ -56,9 +57,9 @@ Vec3 ClosedKnee_P_m(const FourBar& linkage, const JointPlace& place) {
   return *knee_P_m;
 }
 
-/// Rate of the rocker's angle in P over the joint's. The coupler keeps its length:
-/// (K - C) . (phi' a x (K - R) - a x (C - O)) = 0 with the joint's pin O, the rocker's pin R, the
-/// coupler's pin C, the knee K and the axis a.
+/// Rate of the rocker's angle in P over that of the joint. The coupler keeps its length:
+/// (K - C) . (phi' a x (K - R) - a x (C - O)) = 0
+/// with the joint's pin O, the rocker's pin R, the coupler's pin C, the knee K and the axis a.
 double RockerRatio(const FourBar& linkage, const JointPlace& place, const Vec3& knee_P_m) {
   const Vec3 coupler_P_m = place.X_PB * linkage.coupler_pin_B_m;
   const Vec3 coupler = knee_P_m - coupler_P_m;
@@ -66,7 +67,7 @@ double RockerRatio(const FourBar& linkage, const JointPlace& place, const Vec3& 
          coupler.dot(place.axis_P.cross(knee_P_m - linkage.rocker_pin_P_m));
 }
 
-/// A point in P and its derivative by the joint's position.
+/// A point in P and its derivative with respect to the joint's position.
 struct MovingPin {
   Vec3 p_P_m = Vec3::Zero(), rate_P_m = Vec3::Zero();
 };

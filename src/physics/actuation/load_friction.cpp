@@ -7,21 +7,21 @@ namespace tera {
 namespace {
 
 constexpr double kZeroCelsius_k = 273.15;
-/// Oil ISO VG 46: the grade's midpoint at 40 C by ISO 3448, and makers' data sheets at 100 C for a
-/// viscosity index of about 100 (6.7 to 6.9).
+/// Oil ISO VG 46: the midpoint of the grade at 40 C by ISO 3448. The value at 100 C is from data
+/// sheets for a viscosity index of about 100 (6.7 to 6.9).
 constexpr double kWarm_degc = 40, kWarm_cst = 46;
 constexpr double kHot_degc = 100, kHot_cst = 6.8;
-/// Constant of ASTM D341 for all but the thinnest oils.
+/// Constant of ASTM D341, valid for all but the thinnest oils.
 constexpr double kChartShift_cst = 0.7;
-constexpr double kReference_degc = kWarm_degc;  ///< temperature of the stated leak and viscous
-                                                ///< friction
+/// Temperature to which the parameters of leak and viscous friction refer.
+constexpr double kReference_degc = kWarm_degc;
 
-/// Ratio of the oil's viscosity to that at the reference temperature.
+/// Viscosity of the oil over that at the reference temperature.
 double ViscosityRatio(double oil_degc) {
   return OilViscosity_cst(oil_degc) / OilViscosity_cst(kReference_degc);
 }
 
-/// Least effort near a dead centre, as a share of a cylinder's rated effort.
+/// Least effort near a dead centre, as a share of the rated effort of a cylinder.
 constexpr double kWeakest = 0.1;
 
 OverTravel NotBelow(double least, OverTravel table) {
@@ -160,7 +160,7 @@ double LoadFriction::Droop(double rate_radps, double load_nm, double position_ra
 }
 
 double LoadFriction::DriveFriction(double rate_radps) {
-  // Friction at the rate of the start of the step, at most as much as brings the joint to rest.
+  // Friction at the rate of the start of the step, limited to what brings the joint to rest.
   const double x = slid_radps_ / parameters_.slide_stribeck_radps;
   const double lost = parameters_.lost_radps * (1 + (parameters_.breakaway - 1) * std::exp(-x * x));
   const double without = rate_radps + slide_keeps_ * (slid_radps_ - rate_radps);
@@ -170,7 +170,7 @@ double LoadFriction::DriveFriction(double rate_radps) {
 }
 
 void LoadFriction::Swing(double towards, double* value, double* change) const {
-  // With the input held over the step, e = x - u obeys e'' + 2 z w e' + w^2 e = 0.
+  // With constant input over the step, e = x - u obeys e'' + 2 z w e' + w^2 e = 0.
   const double w = parameters_.flex_radps, z = parameters_.flex_damping;
   const double damped = w * std::sqrt(1 - z * z);
   const double e = *value - towards, de = *change;

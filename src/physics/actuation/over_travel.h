@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// A quantity over a joint's position: one constant value, or values at equal steps from the first
-/// position to the last. Linear between them, constant beyond.
+/// A quantity as a function of a joint's position: one constant, or values at equal steps from the
+/// first to the last position. Linear between them, constant outside.
 struct OverTravel {
   double first_rad = 0, last_rad = 0;
-  std::vector<double> values;  ///< never empty when evaluated
+  std::vector<double> values;  ///< must not be empty when evaluated
 
   double At(double position_rad) const {
     if (values.size() < 2) return values.front();

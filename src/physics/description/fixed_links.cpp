@@ -25,7 +25,8 @@ void TakeMass(Link* link) {
 
 void GatherFixedMasses(MachineModel* model) {
   const std::size_t count = model->links.size();
-  std::vector<int> carrier(count, 0);  // the moving link with which each link is rigidly joined
+  // for each link, the moving link that it is rigidly attached to
+  std::vector<int> carrier(count, 0);
   std::vector<Pose> X_CB(count, Pose::Identity());
   std::vector<bool> without(count, false);
   without[0] = model->links[0].mass_kg == 0 && !model->fixed_base;

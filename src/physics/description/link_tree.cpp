@@ -25,7 +25,7 @@ const JointPart& PartNamed(const MachineParts& parts, const std::string& name) {
                        [&](const JointPart& part) { return part.joint.name == name; });
 }
 
-/// The leader of `part` at the end of its chain, or nullopt after a fault.
+/// The first leader of the chain that starts at `part`, with ratio and offset; empty after a fault.
 std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& parts,
                                      const MachineModel& model) {
   Following total;
@@ -57,7 +57,7 @@ std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& 
   return total;
 }
 
-/// Leader positions that keep the follower within its limits.
+/// Positions of the leader that keep the follower within its limits.
 struct Span {
   double lower, upper;
 };
@@ -132,16 +132,14 @@ void SetFollower(const Joint& leader, Joint* follower) {
   follower->max_effort_nm = 0;
 }
 
-/// Ties following joints to their leaders, as `mimic` of a URDF. A chain of followers is tied to
-/// the first leader of the chain.
+/// Ties following joints to their leaders (`mimic` of a URDF). A chain of followers is tied to its
+/// first leader. Reports a leader that is missing, fixed or the joint itself, directly or over a
+/// chain. Reports limits that no position of the leader meets.
 ///
-/// Model   q = ratio * q(leader) + offset. The leader's limits and rates narrow to those that keep
-///         its followers within theirs, and its initial position moves there. A remark reports
-///         narrowed limits.
-/// Omits   supports of the follower other than its leader: it has no effort of its own.
-///
-/// Reports a leader that is missing, fixed or the joint itself, directly or over a chain. Reports
-/// limits that no leader position meets.
+/// Model   q = ratio * q(leader) + offset. Limits and rates of the leader narrow to those that keep
+///         its followers within theirs. Its initial position moves there. A remark reports narrowed
+///         limits.
+/// Omits   Support of the follower by anything except its leader: it has no effort of its own.
 void TieFollowers(const MachineParts& parts, MachineModel* model) {
   std::vector<int> followers;
   for (std::size_t j = 0; j < model->joints.size(); ++j) {
@@ -162,13 +160,13 @@ void TieFollowers(const MachineParts& parts, MachineModel* model) {
   }
 }
 
-/// Relative tolerance of the triangle inequality, for inertias rounded to a few digits.
+/// Relative tolerance of the triangle inequality, because files contain rounded inertias.
 constexpr double kInertiaTolerance = 1e-6;
 
 void CheckInertia(const LinkPart& part) {
   const Vec3 moments =
       Eigen::SelfAdjointEigenSolver<Mat3>(part.link.inertia_B_kgm2, Eigen::EigenvaluesOnly)
-          .eigenvalues();  // ascending
+          .eigenvalues();  // in ascending order
   const std::string shown = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg m2",
                                         moments[0], moments[1], moments[2]);
   if (moments[0] <= 0) {
@@ -243,7 +241,7 @@ int FindRoot(const MachineParts& parts, const std::vector<int>& parent_joint,
   return -1;
 }
 
-/// Checks mass and inertia as written; a link without either is valid here.
+/// Checks mass and inertia as given. A link without mass is valid here.
 void CheckMass(const LinkPart& part) {
   if (part.link.mass_kg < 0) {
     part.place.Fault("mass_kg", {FaultKind::kOutOfRange,
@@ -253,10 +251,10 @@ void CheckMass(const LinkPart& part) {
   }
 }
 
-/// A massless root with this name is the ground in some programs and a frame in others.
+/// A root without mass of this name is the ground in some programs and a frame in others.
 constexpr char kWorld[] = "world";
 
-/// Gathers the masses and reports moving links without any; `parts[i]` is the model's link i.
+/// Gathers masses and reports moving links without mass. `parts[i]` is link i of the model.
 void GiveMasses(const std::vector<const LinkPart*>& parts, const ConfigMap& config,
                 MachineModel* model) {
   if (model->links[0].name == kWorld && model->links[0].mass_kg == 0 && !config.Has("fixed_base")) {
@@ -302,7 +300,8 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
   const std::vector<int> parent_joint = ParentJoints(parts, index);
   if (FaultCount(config) > faults_before) return false;
   const auto unnamed = [](const JointPart& p) { return p.parent.empty() || p.child.empty(); };
-  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // reported
+  // already reported
+  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;
   const int root = FindRoot(parts, parent_joint, config);
   if (root < 0) return false;
 
@@ -310,8 +309,8 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
   std::vector<const LinkPart*> in_order = {&parts.links[root]};
   place_of[root] = 0;
   model->links = {parts.links[root].link};
-  // A joint is placed in its written order once its parent is placed. A description with parents
-  // first keeps its order.
+  // A joint is placed as soon as its parent is placed, in the written order. A description with
+  // parents first keeps its order.
   std::vector<bool> taken(parts.joints.size(), false);
   for (bool grown = true; grown;) {
     grown = false;

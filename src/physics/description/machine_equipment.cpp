@@ -13,10 +13,10 @@
 namespace tera {
 namespace {
 
-/// A shovel that carries soil needs an enclosed profile with at least this many points.
+/// Least number of profile points of a shovel that carries soil.
 constexpr std::size_t kMinProfilePoints = 3;
-constexpr double kLeastProfile_m2 = 1e-4;  ///< points of a smaller profile are collinear
-// Larger values indicate a typing error.
+constexpr double kLeastProfile_m2 = 1e-4;  ///< points of a smaller profile count as collinear
+// Larger values are typing errors.
 constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kThickestSteel_m = 0.5, kMostShoes = 1000;
 constexpr double kMostRoadWheels = 50, kHighestGrouser_m = 0.3;
 constexpr double kLengthTolerance_m = 1e-9;
@@ -44,7 +44,7 @@ void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   }
 }
 
-/// Gears and joints share the columns of the dataset's tables.
+/// A gear's name must differ from joint names: both are columns of the dataset's tables.
 void CheckGearName(const ConfigMap& config, const std::string& name, const MachineModel& model) {
   RequirePlainName(config, "", name);
   for (const RunningGear& gear : model.ground_tools.gears) {
@@ -111,11 +111,11 @@ void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* m
   }
 }
 
-/// Largest shortfall of |y| of the unit axle from 1, for a wheel that rolls along x: 11.5 deg.
+/// Tolerance of |y| of the unit axle below 1, for a wheel that rolls along x: 11.5 deg.
 constexpr double kAxleTolerance = 0.02;
 
-/// Couples the joint of a single wheel to a gear and stores its position in `shape`. Reports a
-/// fault if the joint cannot turn the wheel.
+/// Couples the joint of a single wheel to a gear and stores its position in `shape`. A joint that
+/// cannot turn the wheel is a fault.
 void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, int* link,
                     WheelSetShape* shape, MachineModel* model) {
   const int index = model->JointIndex(name);
@@ -151,7 +151,7 @@ void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, 
   }
 }
 
-/// Wheel positions, by `link` and `axles_m` or by `joints`; returns the link.
+/// Reads wheel positions from `link` and `axles_m` or from `joints`; returns the link.
 int ReadAxles(const ConfigMap& config, int gear, WheelSetShape* shape, MachineModel* model) {
   if (!config.Has("joints")) {
     for (const auto& row : config.NumberRows("axles_m", Any("m"), 3, 1)) {

@@ -19,10 +19,10 @@ namespace {
 
 /// Number of sample positions over a joint's travel.
 constexpr int kTravelSamples = 721;
-/// Overtravel of a stop under load; linkages must close there too.
+/// Linkages must close within this margin too, because a loaded stop yields a little.
 constexpr double kTravelMargin_rad = 0.02;
-constexpr double kLeastArm_m = 0.005;  ///< a cylinder with a shorter lever arm is at a dead point
-constexpr double kPlaneTolerance_m = 1e-4;  ///< tolerance for pins that turn in one plane
+constexpr double kLeastArm_m = 0.005;  ///< with a smaller lever arm a cylinder is at a dead centre
+constexpr double kPlaneTolerance_m = 1e-4;  ///< tolerance for pins to lie in one plane
 constexpr int kMostCylinders = 4;
 
 std::set<int> JointsToRoot(const MachineModel& model, int link) {
@@ -53,7 +53,7 @@ int JointBetween(const ConfigMap& config, const MachineModel& model, int a, int 
   return -1;
 }
 
-/// A pin, moved from the given link to the link of `joint` that is rigidly joined to it.
+/// A pin on a link. OnJointLink moves it to the link of `joint` that it is rigidly attached to.
 struct Pin {
   int link = 0;
   Vec3 p_m = Vec3::Zero();
@@ -76,7 +76,7 @@ std::optional<Visual> ReadOptionalMesh(const ConfigMap& config) {
   return ReadMesh(config);
 }
 
-/// Positions over a joint's travel, widened by `margin`.
+/// Sample positions over a joint's travel, extended by `margin`.
 std::vector<double> Travel(const Joint& joint, double margin) {
   const bool endless = joint.type == JointType::kContinuous;
   const double lower = endless ? -std::numbers::pi : joint.lower_rad - margin;
@@ -88,7 +88,7 @@ std::vector<double> Travel(const Joint& joint, double margin) {
   return travel;
 }
 
-/// A joint's position for messages.
+/// Position of a joint for messages.
 std::string Shown(const Joint& joint, double q) {
   return joint.type == JointType::kPrismatic ? fmt::format("{:.3f} m", q)
                                              : fmt::format("{:.1f} deg", q / kDeg);
@@ -228,7 +228,7 @@ void SetTravel(const ConfigMap& config, const MachineModel& model, Cylinder* cyl
   }
 }
 
-/// Reads `rod:` for a known barrel pin. Returns false if there are more faults than
+/// Reads `rod:` for a known pin of the barrel. Returns false if there are more faults than
 /// `faults_before`.
 bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin, std::size_t faults_before,
              const std::set<std::string>& open_linkages, const MachineModel& model,
@@ -306,7 +306,7 @@ void ReadCylinder(const std::string& name, const ConfigMap& config,
   model->cylinders.push_back(cylinder);
 }
 
-/// A joint driven by cylinders takes effort and oil from them alone.
+/// A joint with driving cylinders takes effort and oil volume from them alone.
 void DriveByCylinders(const ConfigMap& config, MachineModel* model) {
   const auto joints = config.OptionalMap("joints");
   for (const Cylinder& cylinder : model->cylinders) {
@@ -356,7 +356,7 @@ void ReadPump(const std::string& name, const ConfigMap& config, MachineModel* mo
   model->pumps.push_back(pump);
 }
 
-/// A consumer without displacement would take no oil from its pump.
+/// Reports consumers without displacement, which would take no oil from their pump.
 void CheckFed(const ConfigMap& config, const MachineModel& model) {
   for (const Pump& pump : model.pumps) {
     std::vector<std::string> unknown;

@@ -15,7 +15,7 @@ struct MachinePlacement {
   std::string name;
   MachineModel model;
   Pose X_WB = Pose::Identity();  ///< pose of the root link at the start
-  std::vector<double> q_rad;     ///< initial joint angles, one per joint, within limits
+  std::vector<double> q_rad;     ///< initial joint positions, one per joint, within limits
 };
 
 /// Inputs of one machine for a step.
@@ -24,7 +24,7 @@ struct MachineInput {
   SoilReaction soil;
 };
 
-/// Seed of all random numbers in the motion, and index of the first step.
+/// Seed of all random numbers of the motion, and index of the first step.
 struct WorldStart {
   std::uint64_t seed = 1;
   std::int64_t step = 0;

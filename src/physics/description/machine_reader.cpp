@@ -97,7 +97,7 @@ void CheckInitial(const ConfigMap& config, const Joint& joint) {
                    joint.initial_rad / unit, joint.lower_rad / unit, joint.upper_rad / unit)});
 }
 
-/// `otherwise`: levers of a description without the key.
+/// `otherwise` lists the levers of a description without the key.
 void ReadLevers(const ConfigMap& config, const std::vector<std::string>& otherwise,
                 MachineModel* model) {
   const std::vector<std::string> names = config.Has("levers") ? config.Texts("levers") : otherwise;
@@ -153,8 +153,8 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   } else if (const auto both = config.OptionalNumber(rate_key, rate)) {
     joint->max_rate_positive_radps = joint->max_rate_negative_radps = *both * unit;
   }
-  // The key has no default value. A joint that takes both limits from its cylinders must lack the
-  // keys when the resolved text is read again.
+  // These keys have no default value: the resolved text must lack them for a joint that takes both
+  // limits from its cylinders.
   joint->max_effort_nm = config
                              .OptionalNumber(linear ? "max_effort_n" : "max_effort_nm",
                                              AtLeast(0, linear ? "N" : "N m"))
@@ -219,7 +219,7 @@ MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent) {
       config.Has("urdf") ? ReadUrdfParts(config, absent) : ReadParts(config);
   if (parts) model.remarks = parts->remarks;
   if (!parts || !OrderIntoTree(*parts, config, &model) || !parts->whole) {
-    // Faults in links and joints prevent any check of the keys that refer to them.
+    // The keys that refer to links and joints cannot be checked after such faults.
     for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",
                             "linkages", "hydraulics", "cylinders", "pumps", "levers", "effects"}) {
       config.Has(key);
@@ -230,7 +230,7 @@ MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent) {
   ReadEquipment(config, &model);
   ReadHydraulics(config, &model);
   ReadLevers(config, parts->driven, &model);
-  config.Has("effects");  // a scenario's effects are read with these
+  config.Has("effects");  // marks the key as read; the effects are read with those of a scenario
   return model;
 }
 

@@ -7,7 +7,7 @@
 #include "physics/description/link_tree.h"
 #include "physics/description/machine.h"
 
-/// Parts of ReadMachine; each reads some keys of a machine description.
+/// Parts of ReadMachine, each for some keys of a machine description.
 
 namespace tera {
 
@@ -15,11 +15,10 @@ namespace tera {
 MachineParts ReadParts(const ConfigMap& config);
 
 /// Reads links and joints of the URDF named by `urdf:`. The optional TERA keys of `links:` (label)
-/// and `joints:` (rates, effort, start) override it. Returns nullopt after a fault of the file
-/// itself.
+/// and `joints:` (rates, effort, start) override it. Empty after a fault of the file itself.
 std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes absent);
 
-/// Reads the joint keys that both forms share; absent keys leave `joint` unchanged.
+/// Reads the joint keys that both forms share. Absent keys leave `joint` unchanged.
 void ReadJointActuation(const ConfigMap& config, Joint* joint);
 SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise);
 /// Reads `mesh:`, `node:` and `scale:` of a visual, without a pose.
@@ -27,11 +26,12 @@ Visual ReadMesh(const ConfigMap& config);
 /// Index of the link named by `key`, or 0 after a fault.
 int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineModel& model);
 
-/// `tracks:`, `wheels:`, `gauge_m:`.
+/// Reads `tracks:`, `wheels:` and `gauge_m:`.
 void ReadRunningGear(const ConfigMap& config, MachineModel* model);
-/// `shovels:`, `hull_points:`, `frames:`.
+/// Reads `shovels:`, `hull_points:` and `frames:`.
 void ReadEquipment(const ConfigMap& config, MachineModel* model);
-/// `linkages:`, `hydraulics:`, `cylinders:`, `pumps:`, after joints and running gear.
+/// Reads `linkages:`, `hydraulics:`, `cylinders:` and `pumps:`. Call it after joints and running
+/// gear are read.
 void ReadHydraulics(const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

@@ -7,8 +7,8 @@ namespace tera {
 /// Adds the effect `payload` of each joint to the link that the joint moves.
 ///
 /// Frames  B of that link.
-/// Model   a point mass fixed to the link from the start: mass, centre of mass and inertia of both
-///         (parallel axis theorem).
+/// Model   A point mass fixed to the link from the start. It changes mass, centre of mass and
+///         inertia (parallel-axis theorem).
 void AddPayloads(MachineModel* model);
 
 }  // namespace tera

@@ -8,8 +8,8 @@
 namespace tera {
 namespace {
 
-/// Approximate patch length: three cells of the default terrain, so that neighbouring patches act
-/// on neighbouring ground.
+/// Approximate length of a patch: three cells of the default terrain, so that neighbouring patches
+/// act on neighbouring ground.
 constexpr double kBottomPatch_m = 0.16;
 constexpr double kLeastPatch_m = 1e-6;  ///< shorter parts of the bottom run are rounding errors
 /// Angle of a nose, from straight down to its upper end; the patches divide it evenly.
@@ -22,7 +22,8 @@ constexpr int kTyrePatches = 9;
 constexpr int kPathSegments = 16;
 
 /// The patch on a circle of `radius_m` about `center_B_m` at `angle_rad` from straight down,
-/// positive towards the front. Forward drive moves the front of a wheel down and its bottom back.
+/// positive towards the front. When the wheel drives forward, its front moves down and its bottom
+/// moves back.
 ContactPatch PatchOnCircle(const Vec3& center_B_m, double radius_m, double angle_rad,
                            double span_rad, double width_m) {
   const double s = std::sin(angle_rad), c = std::cos(angle_rad);
@@ -35,7 +36,8 @@ ContactPatch PatchOnCircle(const Vec3& center_B_m, double radius_m, double angle
   return patch;
 }
 
-/// Appends equal parts of the bottom run between `from_m` and `to_m`, along x from its middle.
+/// Appends equal parts of the bottom run between `from_m` and `to_m`, measured along x from its
+/// middle.
 void AddBottom(const TrackShape& track, double from_m, double to_m, bool under_wheels,
                std::vector<ContactPatch>* patches) {
   if (to_m - from_m < kLeastPatch_m) return;

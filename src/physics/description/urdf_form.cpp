@@ -16,12 +16,12 @@ using XmlElement = tinyxml2::XMLElement;
 /// Name space URIs by prefix.
 using Namespaces = std::map<std::string, std::string, std::less<>>;
 
-/// A substring of all xacro URIs, and the usual prefix.
+/// Part of all xacro URIs, and the usual prefix.
 constexpr std::string_view kXacro = "xacro";
 constexpr std::string_view kDeclaration = "xmlns:";
-/// Elements for Gazebo alone; its plugins have their own texts.
+/// Elements for Gazebo alone. Their plugins may contain expressions.
 constexpr std::string_view kGazebo = "gazebo";
-/// Elements of a <robot> that the readers of links, joints and drives use.
+/// Elements of a <robot> that the readers use.
 constexpr std::array<std::string_view, 5> kReadElements = {"link", "joint", "material",
                                                            "transmission", "ros2_control"};
 
@@ -56,7 +56,7 @@ struct XacroPlace {
   std::string found;
 };
 
-/// The first part of `element` that xacro must substitute.
+/// The first part of `element` that needs xacro; empty if there is none.
 std::optional<XacroPlace> FindXacro(const XmlElement& element, const Namespaces& outer,
                                     bool is_for_gazebo) {
   const Namespaces namespaces = Within(element, outer);
@@ -90,7 +90,7 @@ std::string XacroCommand(const std::string& file) {
   return fmt::format("xacro {0}.xacro > {0} (after mv {0} {0}.xacro)", file);
 }
 
-/// Describes the form of a file with this root and the way to make a URDF from it; empty if
+/// Names the form of a file with this root element and the way to convert it to a URDF; empty if
 /// unknown.
 std::string OtherForm(std::string_view root, const std::string& file) {
   std::string urdf = AsUrdf(file);
@@ -111,7 +111,7 @@ std::string OtherForm(std::string_view root, const std::string& file) {
   return "";
 }
 
-/// Counts by name the unread elements of `parent` and the attributes of other name spaces.
+/// Counts unread elements of `parent` and attributes of other name spaces, by name.
 void CountUnread(const XmlElement& parent, bool is_robot, std::map<std::string, int>* counts) {
   for (const auto* a = parent.FirstAttribute(); a; a = a->Next()) {
     const std::string_view prefix = PrefixOf(a->Name());

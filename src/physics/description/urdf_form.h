@@ -9,13 +9,14 @@
 
 namespace tera {
 
-/// True if the XML of `file` is a URDF: a <robot> without xacro. Xacro means elements or attributes
-/// of its name space, whatever their prefix, and ${...} or $(...) in the parts that are read. A
-/// fault of `urdf` names the actual form and the way to make a URDF from it.
+/// True if `document` is a URDF: a <robot> without xacro. Xacro means elements or attributes of its
+/// name space, with any prefix, and ${...} or $(...) in the parts that are read. The fault of
+/// `urdf` names the actual form and the way to convert it to a URDF.
 bool RequireUrdf(const ConfigMap& config, const std::string& file,
                  const tinyxml2::XMLDocument& document);
 
-/// URDF elements and attributes of other name spaces that no reader uses, as "2 <gazebo>".
+/// Elements of a URDF that no reader uses, and attributes of other name spaces, with their number:
+/// "2 <gazebo>".
 std::vector<std::string> UnreadElements(const tinyxml2::XMLElement& robot);
 
 }  // namespace tera

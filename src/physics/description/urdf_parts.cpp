@@ -21,13 +21,13 @@
 #include "physics/description/urdf_shapes.h"
 #include "physics/description/urdf_transmissions.h"
 
-/// URDF to links and joints.
+/// Reads links and joints of a URDF.
 ///
-/// Model   inertials; revolute, continuous, prismatic and fixed joints with their limits and
+/// Model   Inertials; revolute, continuous, prismatic and fixed joints with their limits and
 ///         leaders (link_tree.h); visuals and collisions (urdf_shapes.h); drives
-///         (urdf_transmissions.h). A joint's damping and friction become the machine's effects
-///         viscous_friction and coulomb_friction; effects given for the machine override them.
-/// Omits   safety controllers, calibration, textures.
+///         (urdf_transmissions.h). Damping and friction of a joint become the effects
+///         viscous_friction and coulomb_friction. Effects given for the machine override them.
+/// Omits   Safety controllers, calibration, textures.
 
 namespace tera {
 namespace {
@@ -50,14 +50,14 @@ class ParserMessages : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// Names of links or of joints, which occur in CSV headers and in paths. Unsuitable characters are
-/// replaced.
+/// Makes names of links or joints usable in CSV headers and paths, by replacing unsuitable
+/// characters.
 class PlainNames {
  public:
   PlainNames(std::string kind, std::vector<std::string>* changed)
       : kind_(std::move(kind)), changed_(*changed) {}
 
-  /// Plain name of the part; two parts with the same plain name are a fault.
+  /// Plain name of a part. Two parts with the same plain name are a fault.
   std::string Take(const std::string& name, const PartPlace& place) {
     const std::string plain = MadePlain(name);
     if (!IsPlainNameWithPoints(plain)) {
@@ -79,7 +79,7 @@ class PlainNames {
  private:
   std::string kind_;
   std::vector<std::string>& changed_;
-  std::map<std::string, std::string> taken_;  ///< names as written, by plain name
+  std::map<std::string, std::string> taken_;  ///< original names by plain name
 };
 
 Link ToLink(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes) {
@@ -97,7 +97,7 @@ Link ToLink(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes) {
   return link;
 }
 
-/// Sets `known` to false if the joint type is unknown.
+/// Converts a joint. Sets `known` to false if its type is unknown.
 Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   Joint joint;
   joint.X_PJ = PoseOf(in.parent_to_joint_origin_transform);
@@ -165,7 +165,7 @@ void AddFriction(const urdf::Joint& in, const std::string& joint, const PartPlac
   add("friction", in.dynamics->friction, "coulomb_friction", "effort_nm");
 }
 
-/// Overrides the URDF with the TERA keys of `links:` and `joints:`.
+/// Overrides values of the URDF by the TERA keys of `links:` and `joints:`.
 void LayOver(const ConfigMap& config, MachineParts* parts) {
   for (const auto& [name, map] : config.NamedMaps("links")) {
     const auto part =
@@ -201,7 +201,7 @@ std::string WholeText(const fs::path& file) {
   return text.str();
 }
 
-/// Counts the omitted textures, safety controllers and extensions, as "1 texture, 2 <gazebo>".
+/// Counts omitted textures, safety controllers and extensions: "1 texture, 2 <gazebo>".
 std::string LeftOutOf(const urdf::ModelInterface& model, const tinyxml2::XMLElement& robot) {
   int textures = 0, safe = 0;
   for (const auto& [name, link] : model.links_) {
@@ -220,7 +220,7 @@ std::string LeftOutOf(const urdf::ModelInterface& model, const tinyxml2::XMLElem
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Folders of `packages:` by package name.
+/// Folders of `packages:`, by package name.
 std::map<std::string, fs::path> ReadPackages(const ConfigMap& config) {
   std::map<std::string, fs::path> folders;
   if (const auto packages = config.OptionalMap("packages")) {
@@ -229,7 +229,7 @@ std::map<std::string, fs::path> ReadPackages(const ConfigMap& config) {
   return folders;
 }
 
-/// Links and joints of a URDF with its reader's remarks, without the machine's own keys.
+/// Links and joints of a URDF with remarks, without the TERA keys.
 MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
                      const ConfigMap& config, UrdfMeshes* meshes) {
   const std::string file = meshes->urdf.filename().string();
@@ -264,7 +264,7 @@ MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
   return parts;
 }
 
-/// Finds rotations larger than a full turn below `element`, with their lines: "45 (line 12)".
+/// Finds rotations of more than a full turn below `element`, with their lines: "45 (line 12)".
 void FindLongTurns(const tinyxml2::XMLElement& element, std::vector<std::string>* found) {
   if (const char* rpy = element.Attribute("rpy")) {
     std::istringstream angles(rpy);

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 Vec3 VectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// Package and path of a text, or nullopt.
+/// Package and path of a `package://` or `model://` text.
 struct InPackage {
   std::string package;
   fs::path path;
@@ -54,8 +54,8 @@ std::string RemedyOf(const std::string& text) {
          ", or leave out what is missing with --without-meshes";
 }
 
-/// File named by `mesh`. Returns nullopt for an omitted mesh or after a fault of `part`, "visual"
-/// or "collision".
+/// File named by `mesh`. Empty for an omitted mesh or after a fault. `part` is "visual" or
+/// "collision".
 std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
                                  std::string_view part, UrdfMeshes* meshes) {
   const auto path = FindMesh(mesh.filename, *meshes);
@@ -75,7 +75,7 @@ std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
   return std::nullopt;
 }
 
-/// A box, sphere or cylinder with its size, or nullopt after a fault.
+/// A box, sphere or cylinder with its size; empty after a fault.
 std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& place,
                              std::string_view part) {
   Solid solid;
@@ -94,7 +94,7 @@ std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& pl
   return std::nullopt;
 }
 
-/// Colour of a visual; nullopt without a colour or with only a texture.
+/// Colour of a visual. Empty without a colour, or with only a texture.
 std::optional<Paint> PaintOf(const urdf::Visual& visual) {
   if (!visual.material) return std::nullopt;
   const urdf::Color& c = visual.material->color;

@@ -22,7 +22,7 @@ using Element = tinyxml2::XMLElement;
 constexpr std::array<std::string_view, 3> kInterfaces = {
     "PositionJointInterface", "VelocityJointInterface", "EffortJointInterface"};
 
-/// Limits of a rotating actuator, on the motor side of its reduction.
+/// Limits of a rotating actuator, at the motor before its reduction.
 struct ActuatorLimits {
   std::optional<double> max_rate_radps, max_effort_nm;
   bool used = false;
@@ -48,7 +48,7 @@ std::string TextOf(const Element& element) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
 }
 
-/// The entire `text` as a finite number.
+/// Parses the whole `text` as a finite number.
 std::optional<double> ToNumber(const std::string& text) {
   double value = 0;
   std::size_t read = 0;
@@ -97,7 +97,7 @@ class DriveReader {
     return found == parts_.joints.end() ? nullptr : &*found;
   }
 
-  /// The movable joint named by `element`, or nullptr after a fault.
+  /// The movable joint named by `element`; null after a fault.
   JointPart* MovableJoint(const Element& element, const PartPlace& place) {
     const std::string name = MadePlain(Attribute(element, "name"));
     JointPart* part = FindJoint(name);
@@ -154,8 +154,7 @@ class DriveReader {
     AddDriven(*part);
   }
 
-  /// The ROS 1 form has the type in `type`, the ROS 2 form in `plugin`; without either key the type
-  /// is simple.
+  /// Reads the type from `type` (ROS 1) or `plugin` (ROS 2). Without either, the type is simple.
   static bool CheckType(const Element& element, const PartPlace& place) {
     for (const char* key : {"type", "plugin"}) {
       for (const Element* stated : Children(element, key)) {
@@ -174,8 +173,8 @@ class DriveReader {
     return true;
   }
 
-  /// The ROS 1 form has `mechanicalReduction` in the actuator, the ROS 2 form
-  /// `mechanical_reduction` in the joint.
+  /// Reads `mechanicalReduction` in the actuator (ROS 1) or `mechanical_reduction` in the joint
+  /// (ROS 2).
   double Reduction(const std::vector<const Element*>& elements, const PartPlace& place) {
     for (const Element* element : elements) {
       for (const char* key : {"mechanicalReduction", "mechanical_reduction"}) {
@@ -212,7 +211,7 @@ class DriveReader {
     if (limits.max_effort_nm) Narrow(*limits.max_effort_nm * reduction, &joint->max_effort_nm);
   }
 
-  /// Zero means that no limit is given.
+  /// A value of zero means that no limit is given.
   static void Narrow(double limit, double* value) {
     *value = *value > 0 ? std::min(*value, limit) : limit;
   }

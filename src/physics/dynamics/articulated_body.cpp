@@ -20,13 +20,13 @@
 namespace tera {
 namespace {
 
-/// Replaces Bullet's default clamps on velocities and impulses; no value approaches this bound.
+/// Replaces Bullet's default limits on velocities and impulses. No value approaches this bound.
 constexpr double kUnlimited = 1e12;
 /// Steel on rock, dry.
 constexpr double kSurfaceFriction = 0.5;
 
-/// Products of inertia below this fraction of the largest moment are rounding errors. The link axes
-/// then serve as principal axes without an eigensolver's rotation.
+/// Products of inertia below this share of the largest moment are rounding errors. The axes of the
+/// link then serve as principal axes.
 constexpr double kDiagonal = 1e-12;
 
 struct PrincipalAxes {
@@ -58,7 +58,8 @@ struct LinkShape {
 LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int bullet_link) {
   LinkShape shape;
   shape.compound = std::make_unique<btCompoundShape>();
-  TERA_CHECK(link.collision_meshes.empty(), link.name);  // meshes must be converted to boxes
+  // meshes must already be converted to boxes
+  TERA_CHECK(link.collision_meshes.empty(), link.name);
   for (const CollisionBox& box : link.collision) {
     shape.boxes.push_back(std::make_unique<btBoxShape>(ToBullet(Vec3(0.5 * box.size_m))));
     shape.compound->addChildShape(ToBullet(Pose(X_BP.inverse() * box.X_BG)),
@@ -79,7 +80,7 @@ struct ArticulatedBody::Bullet {
   std::vector<PrincipalAxes> axes;  // one per link
   std::vector<LinkShape> shapes;
   std::vector<std::optional<JointDrive>> drives;  // one per joint; empty for fixed joints
-  std::vector<JointTie> ties;                     // for following joints
+  std::vector<JointTie> ties;                     // for joints that follow another joint
   std::optional<BaseDrive> base_drive;
   std::vector<int> load_link;  // one per shovel; -1 if it cannot carry
 
@@ -171,7 +172,7 @@ void ArticulatedBody::Bullet::AddDrives(const MachineModel& model) {
     drives.back().emplace(body.get(), static_cast<int>(k), world);
     if (joint.following) {
       ties.emplace_back(body.get(), static_cast<int>(k), *joint.following, world);
-      continue;  // the leader has the stops
+      continue;  // the leading joint has the stops
     }
     if (joint.type == JointType::kContinuous) continue;
     drives.back()->SetStops(joint.lower_rad, joint.upper_rad);
@@ -252,7 +253,7 @@ void ArticulatedBody::ApplyWrenches(const std::vector<Wrench>& link_wrench,
   for (std::size_t i = 0; i < link_wrench.size() && i < links.size(); ++i) {
     const Wrench& wrench = link_wrench[i];
     if (wrench.force_W_n.isZero(0) && wrench.torque_W_nm.isZero(0)) continue;
-    // From B's origin to the centre of mass.
+    // from B's origin to the centre of mass
     const Vec3 r_W = links[i].X_WB.linear() * bullet_->axes[i].X_BP.translation();
     const btVector3 force = ToBullet(wrench.force_W_n);
     const btVector3 torque = ToBullet(Vec3(wrench.torque_W_nm - r_W.cross(wrench.force_W_n)));

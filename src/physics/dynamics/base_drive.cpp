@@ -49,7 +49,7 @@ class BaseDrive::Constraint : public btMultiBodyConstraint {
     AimAt(kLeft, arm_W.cross(R_WB.col(1)), R_WB.col(1));
     AimAt(kYaw, R_WB.col(2), Vec3::Zero());
     const double dt_s = info.m_timeStep;
-    // The constraint sets velocities at the end of the step, after the base's rotation.
+    // The target is the velocity at the end of the step, after the rotation of the base.
     const Eigen::Rotation2Dd turn(twist.yaw_radps * dt_s);
     const Vec2 v_mps = turn * Vec2(twist.forward_mps, twist.left_mps);
     AddRow(kForward, v_mps.x(), most.forward_n * dt_s, rows, data, info);

@@ -10,18 +10,18 @@ class btMultiBodyDynamicsWorld;
 
 namespace tera {
 
-/// Drives a machine's root link over the ground by three velocity constraints.
+/// Drives the root link of a machine over the ground by three velocity constraints.
 ///
 /// Frames  B root link.
-/// Model   in each step the centre of the tracks' contact takes the commanded twist, up to the
+/// Model   In each step the centre of the tracks' contact takes the commanded twist, within the
 ///         force limits. The twist is along B's x and y and about its z axis. The other three
-///         directions are free: the machine sinks, pitches, rolls and tips over. The constraints
-///         are solved together with all joints and contacts of the machine.
-/// Omits   the shared friction of the three forces: each force has its own limit.
+///         directions are free, so that the machine can sink, pitch, roll and tip over. The
+///         constraints are solved together with all joints and contacts of the machine.
+/// Omits   The common friction limit of the three forces: each force has its own limit.
 class BaseDrive {
  public:
   /// Drives the root of `body`; `body` and `world` must outlive the drive. `contact_P_m` is the
-  /// driven point and `R_PB` the directions, in Bullet's frame P of the root.
+  /// driven point and `R_PB` its directions, in Bullet's frame P of the root.
   BaseDrive(btMultiBody* body, const Vec3& contact_P_m, const Mat3& R_PB,
             btMultiBodyDynamicsWorld* world);
   ~BaseDrive();

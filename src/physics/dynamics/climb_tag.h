@@ -12,7 +12,7 @@ struct ClimbTag {
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
-/// True if one collider drives over the other without collision.
+/// True if one of the colliders drives over the other without collision.
 inline bool DrivesOver(const btCollisionObject& a, const btCollisionObject& b) {
   const auto* tag_a = static_cast<const ClimbTag*>(a.getUserPointer());
   const auto* tag_b = static_cast<const ClimbTag*>(b.getUserPointer());

@@ -7,8 +7,7 @@ namespace tera {
 
 std::vector<double> GravityLoads_nm(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad) {
-  // The effort that holds a machine against gravity equals the effort of an upward acceleration
-  // without gravity.
+  // The effort against gravity equals that of an upward acceleration without gravity.
   MachineState state;
   for (const Pose& X_WL : ForwardKinematics(model, X_WB, q_rad)) {
     BodyState& link = state.links.emplace_back();

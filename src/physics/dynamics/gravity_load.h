@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Joint efforts that bear the weight of the links beyond each joint, at rest; 0 for fixed joints.
-/// An effort is positive if it pushes the joint towards larger positions.
+/// Joint efforts that hold the weight of the links beyond each joint, at rest; 0 for fixed joints.
+/// A positive effort pushes the joint towards larger positions.
 ///
-/// Frames  the root has the pose `X_WB`; gravity acts along -z of W.
+/// Frames  The root has the pose `X_WB`; gravity acts along -z of W.
 /// Model   Newton-Euler equations for links under gravity, held by the joints.
-/// Omits   soil in shovels, the ground, the weight of cylinders and linkages.
+/// Omits   Soil in shovels, the ground, the weight of cylinders and linkages.
 std::vector<double> GravityLoads_nm(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad);
 

@@ -37,7 +37,7 @@ void InertialEfforts::Update(const MachineState& state) {
     const SoilReaction::Load& load = state.shovel_load[s];
     AddMass(state.links[link], load.mass_kg, load.com_B_m, about_W_m, &beyond_[link]);
   }
-  // Children follow their parents in the list.
+  // Children come after their parents in the list.
   for (std::size_t k = joints_nm_.size(); k-- > 0;) {
     const Joint& joint = model_.joints[k];
     const Wrench& child = beyond_[joint.child];

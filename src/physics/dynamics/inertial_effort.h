@@ -6,18 +6,18 @@
 
 namespace tera {
 
-/// Inertial parts of joint efforts and of the machine's external wrench. A joint's part accelerates
-/// the links beyond it and their carried soil.
+/// Inertial parts of the joint efforts and of the external wrench on the machine. The part of a
+/// joint accelerates the links beyond it and their carried soil.
 ///
 /// Frames  W.
 /// Model   Newton-Euler equations for every link with the accelerations of the state, summed from
-///         the tips to the joint and to the base. The remainder of a joint's effort, or of the
-///         ground's force on the machine, bears weight, ground and contacts.
-/// Omits   the extent of carried soil (a point mass); momentum of soil that enters or leaves; the
+///         the tips to the joint and to the base. The rest of a joint's effort, or of the ground's
+///         force on the machine, balances weight, ground and contacts.
+/// Omits   The extent of carried soil (a point mass); momentum of soil that enters or leaves; the
 ///         spin of running gear.
 class InertialEfforts {
  public:
-  /// Initial state at rest. `model` must outlive the object.
+  /// Starts at rest. `model` must outlive this object.
   explicit InertialEfforts(const MachineModel& model);
 
   void Update(const MachineState& state);
@@ -29,7 +29,7 @@ class InertialEfforts {
 
  private:
   const MachineModel& model_;
-  std::vector<Wrench> beyond_;  ///< per link with all links beyond it, about the base's origin
+  std::vector<Wrench> beyond_;  ///< for each link with all links beyond it, about the base's origin
   std::vector<double> joints_nm_;
 };
 

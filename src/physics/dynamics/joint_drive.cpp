@@ -14,13 +14,13 @@
 namespace tera {
 namespace {
 
-/// A stop is active in a step if the joint could reach it within this many steps at its present
-/// rate, or within the margin. Distant stops would only cost time.
+/// A stop enters the equations if the joint could reach it within this many steps at its present
+/// rate, or is within the margin. Distant stops would only cost time.
 constexpr double kStopReach_steps = 4;
 constexpr double kStopReachMargin_rad = 2e-3;
 
-/// Below this rate a motor holds the joint, and a single row represents motor and friction. With
-/// two equal rows, the solver's rounding would decide which row bears the load.
+/// Below this rate a motor holds the joint, and one row represents motor and friction. With two
+/// equal rows, rounding in the solver would decide which row takes the load.
 constexpr double kHeld_radps = 1e-7;
 
 enum JointRow { kMotor, kFriction, kViscous, kLowerStop, kUpperStop, kJointRowCount };
@@ -86,7 +86,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
 
   void debugDraw(btIDebugDraw*) override {}
 
-  /// The motor's share of its row's impulse.
+  /// The motor's share of the impulse of its row.
   double MotorImpulse(double dt_s) {
     return std::clamp(double{getAppliedImpulse(kMotor)}, -target.max_negative_nm * dt_s,
                       target.max_positive_nm * dt_s);

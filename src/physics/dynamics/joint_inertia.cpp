@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Marks the links that a joint carries: its child and all links beyond it.
+/// Marks the links that a joint carries: its child and all links beyond.
 std::vector<bool> LinksBeyond(const MachineModel& model, const Joint& joint) {
   std::vector<bool> beyond(model.links.size(), false);
   beyond[joint.child] = true;

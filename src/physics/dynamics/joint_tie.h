@@ -9,12 +9,12 @@ class btMultiBodyDynamicsWorld;
 
 namespace tera {
 
-/// Constrains a following joint to its leader.
+/// Constrains a following joint to its leading joint.
 ///
-/// Model   an unbounded row of the machine's constraints: the rates at the end of each step lead to
-///         q = ratio * q(leader) + offset. The follower's load acts on the leader times ratio, as
-///         in a frictionless gear.
-/// Omits   compliance and play of the mechanism.
+/// Model   An unbounded row of the machine's constraints: the rates at the end of each step lead to
+///         q = ratio * q(leader) + offset. The load of the follower acts on the leader times ratio,
+///         as in a frictionless gear.
+/// Omits   Compliance and play of the mechanism.
 class JointTie {
  public:
   /// Ties link `bullet_link` of `body`; `body` and `world` must outlive the tie.

@@ -13,13 +13,13 @@ struct RootMotion {
   Vec3 v_WB_mps = Vec3::Zero(), w_WB_radps = Vec3::Zero();
 };
 
-/// Moves all links by a step of `dt_s` to the root state `root` and the joint positions `q_rad`
-/// with rates `qd_radps` (m and m/s for prismatic joints). With dt_s = 0 accelerations stay
+/// Moves all links to the root state `root` and the joint positions `q_rad` with rates `qd_radps`
+/// (m and m/s for prismatic joints), over a step of `dt_s`. With dt_s = 0 accelerations stay
 /// unchanged.
 ///
 /// Frames  W.
-/// Model   poses and velocities by forward kinematics; accelerations are the velocity change over
-///         `dt_s`.
+/// Model   Poses and velocities by forward kinematics; accelerations are the change of velocity
+///         over `dt_s`.
 void MoveLinks(const MachineModel& model, const RootMotion& root, const std::vector<double>& q_rad,
                const std::vector<double>& qd_radps, double dt_s, std::vector<BodyState>* links);
 

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Tolerance of initial joint angles outside their limits, for rounding.
+/// Tolerance for initial joint positions outside their limits, for rounding.
 constexpr double kLimitTolerance_rad = 1e-6;
 
 /// Torque limit of a motor whose gear turns as commanded under any load.

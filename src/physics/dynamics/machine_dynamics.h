@@ -13,26 +13,26 @@ class btMultiBodyDynamicsWorld;
 
 namespace tera {
 
-/// A machine at rest at its placement; link poses are not set.
+/// State of a machine at rest at its placement, without link poses.
 MachineState InitialState(const MachinePlacement& placement);
 
 /// Levers, drives and running gear of one machine with its articulated body.
 ///
-/// Model   levers -> Actuation -> rates and friction of joints and gears. Gears turn against the
-///         soil's traction, I dw/dt = torque - traction * radius. On a driven base the drive's
-///         force replaces the traction, and gears turn at the commanded rate under any load. A
-///         wheel's joint turns with its gear, with unlimited effort.
-/// Omits   the reaction of a gear's inertia on its link.
+/// Model   Levers -> Actuation -> rates and friction of joints and gears. Gears turn against the
+///         traction of the soil: I dw/dt = torque - traction * radius. On a driven base, the force
+///         of the drive replaces the traction, and gears turn at the commanded rate under any load.
+///         The joint of a wheel turns with its gear, with unlimited effort.
+/// Omits   The reaction of a gear's inertia on its link.
 class MachineDynamics {
  public:
   /// `world` must outlive the machine.
   MachineDynamics(const MachinePlacement& placement, const WorldStart& start, bool meets_others,
                   btMultiBodyDynamicsWorld* world);
-  // Members refer to the machine's model.
+  // Not copyable: members refer to model_.
   MachineDynamics(const MachineDynamics&) = delete;
   MachineDynamics& operator=(const MachineDynamics&) = delete;
 
-  /// Prepares the world's next step of `dt_s` and turns the gears.
+  /// Prepares the next step of the world, of length `dt_s`, and turns the gears.
   void Act(const MachineInput& input, double dt_s, MachineState* state);
   /// Reads the results of a step; dt_s = 0 reads the initial state.
   void Read(double dt_s, MachineState* state);
@@ -40,16 +40,16 @@ class MachineDynamics {
  private:
   /// Sets the lever of each axis, joints first, then gears.
   void Command(const std::vector<double>& levers, MachineState* state);
-  /// Computes the chain from levers to drives at the axes' positions. `traction_n` is the traction
-  /// of the last step, like the efforts and accelerations of `state`.
+  /// Computes the chain from levers to drives at the positions of the axes. `traction_n` is that of
+  /// the last step, like the efforts and accelerations of `state`.
   void Actuate(const std::vector<double>& traction_n, double dt_s, const MachineState& state);
-  /// Loads of all axes: their efforts in the last step minus the inertial part.
+  /// Loads of all axes: their efforts in the last step without the inertial part.
   void MeasureLoads(const std::vector<double>& traction_n, const MachineState& state);
   void DriveJoints(double dt_s, const MachineState& state);
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
-  /// Reaction of the ground on the gears of a driven base, which replaces the soil's shear.
+  /// The soil's reaction with the force of the base drive as traction, for a driven base.
   SoilReaction OnDrivenBase(const SoilReaction& soil, double dt_s, const MachineState& state) const;
-  /// Torque of a ground force on a gear; 0 without a force.
+  /// Torque of the ground force on a gear; 0 without a force.
   double GearTorque_nm(const std::vector<double>& traction_n, std::size_t gear) const;
 
   MachineModel model_;
@@ -59,7 +59,7 @@ class MachineDynamics {
   Actuation actuation_;
   InertialEfforts inertial_;
   std::vector<double> resting_nm_;       ///< load of each joint at rest; empty after the first step
-  std::vector<double> last_traction_n_;  ///< the soil's traction on each gear
+  std::vector<double> last_traction_n_;  ///< traction of the soil on each gear
   std::vector<double> axis_lever_;
   std::vector<AxisMotion> axis_motion_;
   std::vector<JointTarget> joint_target_;

@@ -28,10 +28,10 @@
 namespace tera {
 namespace {
 
-/// Walls in Bullet: a static body with its triangles in a tree of boxes.
+/// Walls in Bullet: a static body with its triangles in a bounding-volume tree.
 ///
-/// Model   machines' boxes against single thin triangles. A box that gets entirely behind a wall
-///         within one step has passed it.
+/// Model   Boxes of machines collide with single thin triangles. A box that moves entirely through
+///         a wall within one step does not touch it.
 class StaticWalls {
  public:
   StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDynamicsWorld* world);
@@ -53,7 +53,8 @@ StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDyn
     const std::uint32_t* i = &walls.indices[t];
     const btVector3 a = ToBullet(walls.corners_W_m[i[0]]), b = ToBullet(walls.corners_W_m[i[1]]),
                     c = ToBullet(walls.corners_W_m[i[2]]);
-    // Both orientations are added: Bullet's contact from a triangle's back pushes a box too little.
+    // Both orientations are added, because Bullet's contact from the back of a triangle pushes a
+    // box too little.
     triangles_.addTriangle(a, b, c);
     triangles_.addTriangle(a, c, b);
   }
@@ -105,7 +106,7 @@ struct KinematicObstacle {
 ///
 /// Model   v(n+1) = v(n) + dt a(q, v(n) + (v(n) - v(n-1)) / 2). Forces that are quadratic in
 ///         velocity are evaluated at the middle of the step, extrapolated from the last step.
-///         Bullet evaluates them at the start of the step, which feeds energy into a swinging arm
+///         Bullet evaluates them at the start of the step, which adds energy to a swinging arm
 ///         (about 1 % in 10 s at 500 Hz).
 class MidpointWorld : public btMultiBodyDynamicsWorld {
  public:
@@ -141,7 +142,7 @@ class MidpointWorld : public btMultiBodyDynamicsWorld {
   std::vector<std::vector<btScalar>> last_, to_middle_;
 };
 
-/// Excludes collision pairs within a machine, and pairs of running gear with objects that it drives
+/// Excludes collisions within a machine, and collisions of running gear with objects that it drives
 /// over.
 class OtherBodiesOnly : public btOverlapFilterCallback {
  public:
@@ -204,7 +205,7 @@ struct PhysicsWorld::Impl {
     world.setGravity(btVector3(0, 0, -gravity_mps2));
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     world.getPairCache()->setOverlapFilterCallback(&pairs);
-    // Bullet solves each machine (or group of machines in contact) separately.
+    // Bullet solves each machine, or group of machines in contact, separately.
     world.getSolverInfo().m_minimumSolverBatchSize = 1;
     world.getSolverInfo().m_globalCfm = kSoftness;
   }

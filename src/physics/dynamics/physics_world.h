@@ -12,30 +12,31 @@
 
 namespace tera {
 
-/// A solid obstacle for machines. The caller sets its pose for each step (static, or moved along a
-/// path). Contact pushes machines, not the obstacle.
+/// A solid obstacle for machines. The caller sets its pose for each step, static or along a path.
+/// Contacts push machines but not the obstacle.
 struct ObstacleBody {
   std::string name;
   std::vector<CollisionBox> collision;
   BodyState state;
   /// Height of its highest corner above the ground. Running gear drives over obstacles that it can
-  /// climb (ClimbHeight_m) and collides with higher obstacles.
+  /// climb (ClimbHeight_m) and collides with higher ones.
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
 /// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles and the
-/// site's walls.
+/// walls of the site.
 ///
 /// Frames  W, link frames B as in MachineModel.
-/// Model   levers -> Actuation -> velocity motors with limited effort and friction. Running gears
-///         turn against the soil's traction, I dw/dt = torque - traction * radius. The soil's
-///         wrenches act on the links; carried soil adds its mass to the tool's link. The
-///         integration is semi-implicit: poses follow the velocities at the end of a step. Soil
-///         forces for the present pose therefore act stably. Relief valves limit joints with
-///         cylinders (see Hydraulics). Boxes of a machine collide without bouncing with other
-///         machines, obstacles and walls. Links with running gear drive over obstacles that it can
-///         climb; the ground bears them there (see Soil::AddObstacle).
-/// Omits   the reaction of a gear's inertia on its link, collision within one machine.
+/// Model   Drives: levers -> Actuation -> velocity motors with limited effort and friction. Relief
+///         valves limit joints with cylinders (see Hydraulics). Running gears turn against the
+///         traction of the soil: I dw/dt = torque - traction * radius.
+///         Soil: its wrenches act on the links; carried soil adds its mass to the link of the tool.
+///         The integration is semi-implicit: poses follow the velocities at the end of a step. So
+///         soil forces computed for the present pose act stably.
+///         Collisions: boxes of a machine collide, without bouncing, with other machines, obstacles
+///         and walls. Links with running gear drive over obstacles that they can climb; the ground
+///         bears them there (see Soil::AddObstacle).
+/// Omits   The reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
  public:
   PhysicsWorld(const std::vector<MachinePlacement>& machines,
@@ -43,7 +44,7 @@ class PhysicsWorld {
                const WorldStart& start = {}, const SiteWalls& walls = {});
   ~PhysicsWorld();
 
-  /// Advances by `dt_s`. `inputs` has an entry per machine. `obstacles` has the state of each
+  /// Advances by `dt_s`. `inputs` has one entry per machine. `obstacles` has the state of each
   /// obstacle at the end of the step.
   void Step(const std::vector<MachineInput>& inputs, const std::vector<BodyState>& obstacles,
             double dt_s);

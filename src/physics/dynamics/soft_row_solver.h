@@ -6,15 +6,15 @@ namespace tera {
 
 /// Bullet's solver for machines, extended by soft rows.
 ///
-/// Model   a row of softness s lets its velocity deviate by s times its impulse p: J v = target - s
+/// Model   In a row of softness s, the velocity deviates by s times the impulse p: J v = target - s
 ///         p. With s = 1 / (c dt) and target 0, the row is a damper of coefficient c, evaluated at
-///         the end of the step. The damper is stable at any stiffness. Bullet's own MLCP solver
-///         ignores the softness of single rows.
+///         the end of the step and stable for any c. Bullet's own MLCP solver ignores the softness
+///         of single rows.
 class SoftRowSolver : public btMultiBodyMLCPConstraintSolver {
  public:
   using btMultiBodyMLCPConstraintSolver::btMultiBodyMLCPConstraintSolver;
 
-  /// Softens a row after fillMultiBodyConstraint.
+  /// Makes a row soft. Call it after fillMultiBodyConstraint.
   static void Soften(btScalar softness, btMultiBodySolverConstraint* row) {
     const btScalar hard = row->m_jacDiagABInv;
     row->m_jacDiagABInv = hard / (1 + softness * hard);
@@ -27,7 +27,7 @@ class SoftRowSolver : public btMultiBodyMLCPConstraintSolver {
     btMultiBodyMLCPConstraintSolver::createMLCPFast(info);
     for (int i = 0; i < m_multiBodyAllConstraintPtrArray.size(); ++i) {
       const btMultiBodySolverConstraint& row = *m_multiBodyAllConstraintPtrArray[i];
-      // Contact rows have their own softness, which the other solver uses.
+      // Contact rows have a softness of their own, which only the other solver uses.
       if (row.m_orgConstraint == nullptr || row.m_cfm == 0) continue;
       m_multiBodyA.setElem(i, i, m_multiBodyA(i, i) + row.m_cfm / row.m_jacDiagABInv);
     }

@@ -9,8 +9,8 @@ namespace tera {
 /// Effects of `base` that cannot act under any value of `ground`.
 std::vector<EffectFault> FaultsOfBase(const MachineModel& model);
 
-/// Faults in the effects of `base` for a machine with track kinematics: combined slips that cancel
-/// the tracks' speed on level ground.
+/// Faults of `base` with track kinematics: combined slips that cancel the speed of the tracks on
+/// level ground.
 std::vector<EffectFault> FaultsOfSlips(const MachineModel& model);
 
 }  // namespace tera

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// All mechanisms of running gear on the ground. docs/reference/mechanisms.md has each mechanism's
-/// equation and source.
+/// All mechanisms of running gear on the ground. docs/reference/mechanisms.md gives equation and
+/// source of each.
 std::span<const Mechanism> GroundMechanisms();
 
 }  // namespace tera

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Patches higher than this above the lowest patch are outside a flat track's contact.
+/// A patch more than this above the lowest patch is outside the contact of a flat track.
 constexpr double kLevel_m = 0.01;
 
 /// Extent of the contact with level ground, in the root's frame.

@@ -6,8 +6,8 @@
 namespace tera {
 namespace {
 
-/// Slip x = i L / K, at most `most`, at which the fraction `share` in [0, 1) of the strength is
-/// mobilised. 1 - (1 - e^-x) / x is concave, so Newton's iterates from the left stay on the left.
+/// Slip x = i L / K, at most `most`, that mobilises the share `share` in [0, 1) of the strength. 1
+/// - (1 - e^-x) / x is concave, so Newton's iterates from the left stay on the left.
 double JanosiSlip(double share, double most) {
   constexpr int kSteps = 8;
   constexpr double kClose = 1e-10;
@@ -23,7 +23,7 @@ double JanosiSlip(double share, double most) {
   return std::min(x, most);
 }
 
-/// Slip of a track at `speed_mps` that needs `thrust`, relative to its load, along x.
+/// Slip of a track at `speed_mps` that needs `thrust`. Thrust is relative to the load and along x.
 double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry& geometry,
               const TrackKinematicsParameters& p) {
   const double direction = speed_mps < 0 ? -1 : 1;
@@ -37,10 +37,9 @@ double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry
   return std::clamp(slip, -1.0, 1.0);
 }
 
-/// Lower bound on the cosine of the tilt, for a machine on its side or its back. The tracks keep at
-/// least this fraction of the weight, and the side slope's base is at least this fraction of its
-/// length. Thrust over load and the side slope thus stay finite. Slip, at most 1, reaches its
-/// bounds much earlier. The slope along the tracks, the tangent of the pitch, has no such bound.
+/// Lower bound on the cosine of the tilt, for a machine on its side or its back. It keeps thrust
+/// over load and the side slope finite. The slip, at most 1, reaches its bounds much earlier. The
+/// slope along the tracks, the tangent of the pitch, needs no such bound.
 constexpr double kLeastUpright = 1e-6;
 
 /// Excess of `size` over `holding`, with the sign of `size`.
@@ -88,7 +87,7 @@ TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParamete
 
 PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& c,
                          const TrackGeometry& geometry, const TrackKinematicsParameters& p) {
-  const double rise = -std::sin(c.pitch_rad);  // slope of x_B, as rise per metre along it
+  const double rise = -std::sin(c.pitch_rad);  // slope along x_B, as rise per metre
   const double level = std::cos(c.pitch_rad);
   const double side_rise = std::sin(c.roll_rad) * level;
   const double slope = rise / level;

@@ -10,11 +10,12 @@ namespace tera {
 namespace {
 
 constexpr int kOctaves = 4;
-constexpr int kCoarsest = 4;  ///< wavelengths of the first octave per period
+constexpr int kCoarsest = 4;  ///< number of wavelengths of the first octave per period
 
 int Wrapped(int i, int n) { return ((i % n) + n) % n; }
 
-/// Blend of two values with weights that preserve their common variance.
+/// Weights of a linear blend of two values, scaled so that the blend has the variance of the
+/// values.
 struct Blend {
   int a, b;
   double wa, wb;
@@ -59,7 +60,7 @@ void AddOctave(int n, double amplitude, std::vector<double>* sum) {
   }
 }
 
-/// Position between two cell centres, with the lower cell's index.
+/// A position between two cell centres, with the index of the lower cell.
 struct Between {
   int i;
   double f;
@@ -106,10 +107,10 @@ double DustEddies::At(const Vec3& p_m) const {
   return sum;
 }
 
-// Fresh coarse dust absorbs more than transported dust: it scatters 0.70 to 0.97 of its extinction
-// at 550 nm (Ryder et al. 2013, Atmos. Chem. Phys. 13). The share falls with the wavelength
-// (Dubovik et al. 2002, J. Atmos. Sci. 59, also for the asymmetry parameter). The amount is this
-// project's estimate from photographs of work on loam.
+// Fresh coarse dust absorbs more than dust after long transport: 0.70 to 0.97 of its extinction at
+// 550 nm is scattering (Ryder et al. 2013, Atmos. Chem. Phys. 13). Blue light is absorbed more than
+// red (Dubovik et al. 2002, J. Atmos. Sci. 59; also source of kAsymmetry). The values themselves
+// are this project's estimate from photographs of work on loam.
 const Eigen::Vector3f DustVolume::kScattered(0.93f, 0.86f, 0.75f);
 
 double DustVolume::Extinction_1pm(const Vec3& p_W_m) const {

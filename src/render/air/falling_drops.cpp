@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Sizes of the boxes and of their smallest drops. At 600 px focal length the smallest drops are
+/// Side of each box and the smallest drops in it. At 600 px focal length the smallest drops are
 /// about half a pixel wide at the far side.
 struct Size {
   double side_m, least_m;
@@ -51,7 +51,7 @@ std::vector<FallingDrops::Streak> FallingDrops::Seen(const Pose& X_WC, TimeNs t_
   const double t_s = ToSeconds(t_ns);
   for (const Shell& shell : shells_) {
     for (const Drop& drop : shell.drops) {
-      // Periodic image of the drop nearest to the camera.
+      // The periodic copy of the drop nearest to the camera.
       Vec3 p_m = drop.p_m + t_s * drop.v_W_mps - X_WC.translation();
       p_m -= shell.side_m * (p_m / shell.side_m).array().round().matrix();
       if (p_m.squaredNorm() > 0.25 * shell.side_m * shell.side_m) continue;

@@ -9,17 +9,18 @@
 
 namespace tera {
 
-/// Raindrops as a camera sees them in one exposure.
+/// Raindrops as a camera sees them during one exposure.
 ///
 /// Frames  W world, C camera (x right, y down, z forward).
-/// Model   drops of Rain's size distribution in periodic boxes, larger drops in larger boxes. Each
-///         drop falls at constant velocity with the wind at 2 m above ground. It leaves a streak
-///         along its path, from half an exposure before the image's time to half an exposure
-///         after. A streak covers pi/4 d^2 / (w l) of the light of each pixel it crosses. d is the
-///         drop's diameter, l the streak's length and w its width in the image, at least
+/// Model   drops have the size distribution of Rain. They fill periodic boxes around the camera;
+///         larger drops have larger boxes. Each drop falls at constant velocity and drifts with the
+///         wind at 2 m above ground. During the exposure it leaves a straight streak, centred on
+///         the time of the image.
+///         A streak hides the fraction pi/4 d^2 / (w l) of the light of each pixel that it crosses.
+///         d is the drop's diameter, l the streak's length and w its width in the image, at least
 ///         kLeastWidth_px.
-/// Omits   drops below 0.5 mm and beyond the boxes, which the rain's extinction represents; the
-///         camera's own motion; defocus; drop oscillation.
+/// Omits   drops below 0.5 mm and drops beyond the boxes: the rain's extinction represents them.
+///         Also the camera's motion, defocus and drop oscillation.
 /// Source  rain.h; Garg and Nayar 2007, "Vision and rain", IJCV 75 (streaks and their
 ///         transparency).
 class FallingDrops {
@@ -30,11 +31,11 @@ class FallingDrops {
     Vec3 from_C_m, to_C_m;
     double diameter_m;
   };
-  /// Streaks in front of a camera at X_WC, within the range of their boxes.
+  /// Streaks in front of a camera at X_WC, from drops within half a box side.
   std::vector<Streak> Seen(const Pose& X_WC, TimeNs t_ns, double exposure_s) const;
 
   static constexpr double kLeastWidth_px = 1.3;
-  /// Fraction of a pixel's light that a streak of that image size covers.
+  /// Fraction of a pixel's light that a streak hides, from its size in the image.
   static double Cover(double diameter_px, double width_px, double length_px);
 
  private:

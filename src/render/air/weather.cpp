@@ -8,7 +8,7 @@ namespace tera {
 namespace {
 
 constexpr double kWavelength_um = 0.905, kVisible_um = 0.55;
-/// WMO-No. 8, 2018, part I, 9.1.1: contrast at the meteorological optical range.
+/// Contrast that remains at the meteorological optical range (WMO-No. 8, 2018, part I, 9.1.1).
 constexpr double kOpticalRangeContrast = 0.05;
 
 }  // namespace

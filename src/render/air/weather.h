@@ -4,54 +4,59 @@
 
 #include "core/motion.h"
 
-/// Airborne matter of a scenario, and precipitation on its ground.
+/// Weather of a scenario: matter in the air, and precipitation on the ground.
 
 namespace tera {
 
-/// Wind over level ground, at 10 m height.
+/// Wind over level ground, 10 m above it.
 struct Wind {
   double speed_mps = 0;
-  double from_rad = 0;  ///< direction of origin: clockwise from north
+  double from_rad = 0;  ///< direction that the wind comes from, clockwise from north
 
-  /// Unit vector of the downwind direction.
+  /// Unit vector in W of the direction that the wind blows to.
   Vec2 towards_W() const;
 };
 
-/// Dust emission by work, and the volume in which it is simulated.
+/// Dust raised by work, and the air volume in which it is simulated.
 struct DustModel {
-  double emission_factor = 1;  ///< factor on the AP-42 emission
-  double silt_percent = 8.5;   ///< silt of travelled surfaces; AP-42's mean of construction sites
-  double extent_m = 40;        ///< side of the air volume's square, about the machines
-  double height_m = 8;         ///< height of the air volume above ground
+  double emission_factor = 1;  ///< factor on the emission of the AP-42 formulas
+  /// Silt content of driven surfaces; AP-42's mean of construction sites.
+  double silt_percent = 8.5;
+  double extent_m = 40;  ///< side length of the volume's square base, which contains the machines
+  double height_m = 8;   ///< height of the volume above the ground
   double cell_m = 0.5;
 };
 
-/// Source  see each use: dust_field.h, rain.h, ground_cover.h.
+/// Parameters of the weather. The models that use them name their sources: dust_field.h, rain.h,
+/// ground_cover.h.
 struct Weather {
   Wind wind;
-  std::optional<DustModel> dust;  ///< none: work raises no dust
-  double visibility_m = 0;        ///< Koschmieder's, of fog and haze alone; 0: not stated
-  double rain_mmph = 0;           ///< rate of rain
-  double snowfall_mmph = 0;       ///< rate of falling snow, as water
-  double puddle_depth_m = 0;      ///< maximum depth of water in hollows
-  double snow_depth_m = 0;        ///< on the ground
+  std::optional<DustModel> dust;  ///< empty: work raises no dust
+  /// Visibility (Koschmieder) in fog and haze, without precipitation; 0: no value.
+  double visibility_m = 0;
+  double rain_mmph = 0;       ///< rate of rain
+  double snowfall_mmph = 0;   ///< rate of falling snow, as melted water
+  double puddle_depth_m = 0;  ///< maximum depth of water in hollows
+  double snow_depth_m = 0;    ///< depth of snow on the ground
 
-  /// Extinction of visible light by stated fog, rain and falling snow together.
+  /// Extinction of visible light by fog, rain and falling snow together. Without a visibility, fog
+  /// adds nothing.
   double Extinction_1pm() const;
 };
 
-/// Contrast left at the visibility, after Koschmieder 1924.
+/// Contrast that remains at the visibility, after Koschmieder 1924.
 inline constexpr double kVisibleContrast = 0.02;
 
-/// Extinction at 905 nm of fog or haze with a visibility.
+/// Extinction at 905 nm of fog or haze of the given visibility V.
 ///
-/// Model   3.91 / V (905 / 550)^-q, with q = 1.6 beyond 50 km, 1.3 to 6 km, 0.16 V + 0.34 to 1 km,
-///         V - 0.5 to 500 m, and 0 in thicker fog; V in km.
+/// Model   3.91 / V (905 / 550)^-q, with V in km. q is 1.6 for V > 50, 1.3 for V > 6, 0.16 V + 0.34
+///         for V > 1, V - 0.5 for V > 0.5, and else 0.
 /// Source  Koschmieder 1924; Kim, McArthur and Korevaar 2001, "Comparison of laser beam propagation
 ///         at 785 nm and 1550 nm in fog and haze", eqs. 2 and 6.
 double FogExtinction_1pm(double visibility_m);
 
-/// Fraction per metre and steradian of a pulse's light that fog of that extinction scatters back.
+/// Back-scatter of fog: the fraction of a light pulse that it scatters back, per metre and
+/// steradian.
 ///
 /// Model   0.046 over the range in metres at which 5 % of the contrast remains.
 /// Source  Rasshofer, Spies and Spies 2011, "Influences of weather phenomena on automotive laser

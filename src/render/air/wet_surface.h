@@ -2,13 +2,14 @@
 
 namespace tera {
 
-/// Diffuse reflectance of a rough surface under a thin water film, from its dry reflectance, 0 to
-/// 1.
+/// Diffuse reflectance in [0, 1] of a rough surface under a thin water film, given its dry
+/// reflectance r.
 ///
-/// Model   (1 - R) (1 - p) r / (1 - p r). Light that enters the film (1 - R) reflects diffusely
-///         several times. Total and partial internal reflection retain the fraction p each time: p
-///         = 1 - (1 - D) / n^2. D is the water's reflectance of diffuse light from outside.
-///         n = 1.33, R = 0.02, D = 0.066.
+/// Model   (1 - R) (1 - p) r / (1 - p r). R = 0.02 is the reflectance of the film at normal
+///         incidence. p is the share of the light from below that the film's surface reflects back
+///         down: p = 1 - (1 - D) / n^2. D = 0.066 is the water's reflectance of diffuse light from
+///         outside, n = 1.33. The denominator sums the repeated reflections between film and
+///         surface.
 /// Omits   higher absorption of a surface in water, which darkens it by some percent of r; specular
 ///         reflection by the water.
 /// Source  Lekner and Dorf 1988, "Why some things are darker when wet", Applied Optics 27.

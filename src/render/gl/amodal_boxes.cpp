@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kHalf_px = 0.5;
 
-/// Projects points inside and outside the image.
+/// Projects points inside and outside the image. Outside, it continues a distorting lens as a
+/// pinhole.
 class WideProjection {
  public:
   explicit WideProjection(const CameraIntrinsics& lens) : lens_(lens) {
@@ -23,7 +24,7 @@ class WideProjection {
     }
   }
 
-  /// Pixel of a point with z > 0, or within an angular lens's field.
+  /// Pixel of a point. Needs z > 0, or a point within an angular lens's field.
   Vec2 operator()(const Vec3& p_C_m) const {
     if (lens_.IsAngular() || !lens_.Distorted()) return lens_.Project(p_C_m);
     const Vec2 at = p_C_m.head<2>() / p_C_m.z();
@@ -43,7 +44,7 @@ class Extent {
  public:
   explicit Extent(const CameraIntrinsics& lens) : lens_(lens), project_(lens) {}
 
-  /// Adds each corner once, and the points where edges leave the space in front of the camera.
+  /// Adds each corner in front of the camera, and the intersections of edges with the near plane.
   void AddTriangles(const std::vector<Vec3>& p_C_m, const std::vector<std::uint32_t>& indices) {
     const std::size_t used = indices.size() / 3 * 3;
     is_corner_.assign(p_C_m.size(), false);
@@ -106,7 +107,8 @@ void AddNode(const SceneModel& model, const SceneNode& node, const SceneState& s
   }
 }
 
-/// Extents of the instances that have a box or belong to a whole with a box.
+/// Extents of the nodes' instances. Only instances with a box, or parts of a whole with a box, are
+/// computed.
 class Extents {
  public:
   Extents(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
@@ -182,7 +184,7 @@ void AddWholeObjects(const SceneModel& model, const SceneState& state, const Cam
   const Extents extents(model, state, lens, X_CW, *boxes, workers);
   for (ObjectBox& box : *boxes) {
     Eigen::AlignedBox2d extent_px = extents.Of(box.instance);
-    // The field's rim may cut an object between its corners.
+    // The rim of an angular lens's field may cut an object between two of its corners.
     extent_px.extend(Vec2(box.x_min_px, box.y_min_px));
     extent_px.extend(Vec2(box.x_max_px, box.y_max_px));
     box.amodal_min_px = extent_px.min();

@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-// Stencil bits: mark of the last instance drawn there, and a flag for parts of a whole.
+// Stencil bits: a mark of the last instance that covers the pixel, and a flag for parts of a whole.
 constexpr unsigned kMarks = 0x7f, kKept = 0x80;
-constexpr std::size_t kMostMemories = 16;  ///< views of a rig's cameras
+constexpr std::size_t kMostMemories = 16;  ///< cached views, enough for the cameras of a rig
 
 bool AreSame(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -78,7 +78,7 @@ void Silhouettes::Begin(const View& view) {
   program_.Set("u_clip_from_relative", view.ClipFromRelative());
 }
 
-/// Draws an instance and counts its pixels; sets `kept_bit` on them.
+/// Draws an instance and counts its pixels. Sets `kept_bit` on them.
 void Silhouettes::CountAlone(const View& view, const NodeRenderer& nodes, std::uint16_t instance,
                              unsigned kept_bit) {
   if (mark_ == kMarks) {
@@ -97,7 +97,7 @@ void Silhouettes::CountAlone(const View& view, const NodeRenderer& nodes, std::u
   glEndQuery(GL_SAMPLES_PASSED);
 }
 
-/// Counts the pixels with the kept bit and clears the bit.
+/// Counts the pixels with the kept bit and clears that bit.
 void Silhouettes::CountKept(std::uint16_t whole) {
   everywhere_.Use();
   glBindVertexArray(no_vertices_.id());

@@ -9,28 +9,29 @@ namespace tera {
 
 /// Counts the pixels that an object would cover without occluders.
 ///
-/// Model   an occlusion query counts the object's nodes, drawn without depth into a stencil that
-///         passes each pixel once. The count is exact for any number of overlapping surfaces. The
-///         parts of a whole set a stencil bit, from which the whole's pixels are counted without a
-///         second draw. A static object in a static view keeps its count.
+/// Model   the object's nodes are drawn without a depth test. A stencil passes each pixel once, and
+///         an occlusion query counts the passes, so overlapping surfaces do not count twice. The
+///         parts of a whole also set a stencil bit; a second query counts the whole's pixels by
+///         that bit, without drawing the parts again. The count of an unmoved object in an unmoved
+///         view is cached.
 class Silhouettes {
  public:
   explicit Silhouettes(const SceneModel& model);
 
-  /// Unoccluded pixels of each of `instances`. `nodes` must be placed for `view` as in `state`.
+  /// Unoccluded pixel count of each of `instances`. `nodes` must be placed for `view` and `state`.
   std::vector<std::int64_t> Count(const View& view, const SceneState& state,
                                   const NodeRenderer& nodes,
                                   const std::vector<std::uint16_t>& instances);
 
  private:
-  /// Unit of drawing: an instance without parts, or a whole.
+  /// Per instance: its relation to wholes and parts, and the bodies that move it.
   struct Object {
-    std::uint16_t whole = 0;           ///< whole that contains this part; 0: none
-    std::vector<std::uint16_t> parts;  ///< parts of a whole
-    std::vector<int> bodies;           ///< bodies that move its nodes and its parts' nodes
+    std::uint16_t whole = 0;           ///< the whole that contains this part; 0: none
+    std::vector<std::uint16_t> parts;  ///< empty unless this instance is a whole
+    std::vector<int> bodies;           ///< bodies of its own nodes and of its parts' nodes
     bool changes_shape = false;
   };
-  /// Cache of one view: counts by instance, and the body poses of each counted object.
+  /// Cache for one view: the count of each instance, and the body poses for which it holds.
   struct Memory {
     View view;
     std::vector<std::int64_t> counts;
@@ -45,7 +46,7 @@ class Silhouettes {
                   unsigned kept_bit);
   void CountKept(std::uint16_t whole);
 
-  std::vector<Object> objects_;  ///< by instance
+  std::vector<Object> objects_;  ///< one per instance
   std::vector<GlObject> queries_;
   std::vector<Memory> memories_;  ///< most recently used last
   Program program_{"node.vert", "mask.frag"};
@@ -53,7 +54,7 @@ class Silhouettes {
   GlObject no_vertices_ = MakeVertexArray();
   int width_px_ = 0, height_px_ = 0;
   GlObject stencil_, framebuffer_;
-  unsigned mark_ = 0;  ///< mark of the last instance in the stencil
+  unsigned mark_ = 0;  ///< stencil mark of the last counted instance
 };
 
 }  // namespace tera

@@ -27,7 +27,7 @@ struct Candidate {
 };
 
 std::vector<EGLDeviceEXT> Devices() {
-  // EGL_EXT_device_base combines enumeration and query; some drivers list only this older
+  // EGL_EXT_device_base combines enumeration and query. Some drivers list only that older
   // extension.
   const char* const extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (!HasExtension(extensions, "EGL_EXT_device_enumeration") &&
@@ -50,7 +50,7 @@ Candidate DeviceDisplay(EGLDeviceEXT device, int index) {
           eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr)};
 }
 
-/// Candidate displays, best first.
+/// Displays to try, best first.
 std::vector<Candidate> Candidates(int wanted_device) {
   const std::vector<EGLDeviceEXT> devices = Devices();
   const int count = static_cast<int>(devices.size());
@@ -74,7 +74,7 @@ std::vector<Candidate> Candidates(int wanted_device) {
   return candidates;
 }
 
-/// Mutex of software contexts: held while a context is current, created or destroyed.
+/// Mutex of software contexts. It is held while such a context is current, created or destroyed.
 std::mutex& Turn() {
   static std::mutex turn;
   return turn;
@@ -100,7 +100,7 @@ std::string GlText(GLenum name) {
   return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
-/// Detects Mesa's software renderers in GL_RENDERER, including layered drivers: "zink Vulkan
+/// Recognises Mesa's software renderers in GL_RENDERER, also below layered drivers: "zink Vulkan
 /// 1.3(llvmpipe ...)", "virgl (LLVMPIPE ...)".
 bool DrawsInSoftware(const std::string& renderer) {
   const std::string name = LowerCase(renderer);
@@ -130,7 +130,7 @@ EglContext::EglContext(const EglOptions& options) {
                  "renderer (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or a GPU driver with EGL",
                  tried.empty() ? "none available" : tried)});
   }
-  info_.is_software = true;  // conservative until the renderer is known
+  info_.is_software = true;  // assumed until the renderer's name is known
   const Current current(*this);
   info_.vendor = GlText(GL_VENDOR);
   info_.renderer = GlText(GL_RENDERER);
@@ -139,7 +139,7 @@ EglContext::EglContext(const EglOptions& options) {
 }
 
 EglContext::~EglContext() {
-  // The display stays initialized: the process has a single display, which other contexts may use.
+  // The display is not terminated: other contexts of the process may use the same display.
   const std::lock_guard lock(Turn());
   eglDestroyContext(display_, context_);
 }

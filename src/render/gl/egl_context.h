@@ -6,12 +6,12 @@ namespace tera {
 
 /// An OpenGL 4.5 core context without a window.
 ///
-/// Model   EGL's device platform if a device is a GPU, otherwise Mesa's surfaceless platform with
-///         software rendering. The context is current only during the life of a Current. Any thread
-///         may therefore use a rasterizer, but only a single thread at a time.
+/// Model   uses EGL's device platform if a device is a GPU, otherwise Mesa's surfaceless platform
+///         with software rendering. The context is current only while a Current exists. Different
+///         threads may therefore use a rasterizer one after the other.
 class EglContext {
  public:
-  /// Throws InputError with the tried platforms and the remedy if no context is available.
+  /// Throws InputError if no context is available, with the tried platforms and a remedy.
   explicit EglContext(const EglOptions& options);
   ~EglContext();
   EglContext(const EglContext&) = delete;
@@ -19,9 +19,9 @@ class EglContext {
 
   const GlInfo& info() const { return info_; }
 
-  /// Makes the context current for a scope. Software contexts take turns, at most a single context
-  /// per process at a time. Mesa's renderer (22.3) occasionally crashes if two contexts of one
-  /// display draw concurrently, and already uses every core for one context.
+  /// Makes the context current for a scope. At most one software context per process is current at
+  /// a time; others wait. Mesa's renderer (22.3) occasionally crashes if two contexts of one
+  /// display draw concurrently, and it uses every core for one context anyway.
   class Current {
    public:
     explicit Current(const EglContext& context);

@@ -4,13 +4,13 @@
 
 namespace tera {
 
-/// Choice of the OpenGL platform.
+/// Selects the OpenGL device.
 struct EglOptions {
-  /// Index of an EGL device; -1: the first device with a GPU, otherwise Mesa.
+  /// Index of an EGL device. -1: the first device with a GPU, otherwise Mesa in software.
   int device = -1;
 };
 
-/// Properties of the obtained OpenGL context.
+/// Properties of the created OpenGL context.
 struct GlInfo {
   std::string egl_platform;  ///< "device 0" or "surfaceless"
   std::string vendor, renderer, version;

@@ -10,12 +10,11 @@
 
 #include "core/motion.h"
 
-/// OpenGL objects with automatic release. All operations, destruction included, need a current
-/// context.
+/// Owners of OpenGL objects. Each operation needs a current context, destruction included.
 
 namespace tera {
 
-/// Owner of one OpenGL name.
+/// Owns an OpenGL object, which its name (id) identifies.
 class GlObject {
  public:
   using Deleter = void (*)(unsigned id);
@@ -39,40 +38,40 @@ class GlObject {
   Deleter deleter_ = nullptr;
 };
 
-/// A rewritable buffer with `bytes` of storage; `data` may be null.
+/// A buffer with `bytes` of storage that can be rewritten. `data` may be null.
 GlObject MakeBuffer(std::size_t bytes, const void* data);
 GlObject MakeVertexArray();
 GlObject MakeQuery();
 
-/// Converts 0..1 to a byte of OpenGL's normalised formats.
+/// Converts a value in [0, 1] to a byte of a normalised format.
 std::uint8_t Unorm8(double value);
 
 enum class Filter { kNearest, kLinear, kMipmapped, kShadow };
 enum class Wrap { kClamp, kRepeat };
 
-/// Immutable two-dimensional texture of an OpenGL sized format.
+/// A two-dimensional texture with immutable storage in an OpenGL sized format.
 GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap wrap,
                      int levels = 1);
-/// A framebuffer with colour attachments in order. A non-zero `depth` attaches a depth,
-/// depth-stencil or stencil texture. Throws InternalError if the framebuffer is incomplete.
+/// A framebuffer with the given colour textures. A non-zero `depth` is a depth, depth-stencil or
+/// stencil texture. Throws InternalError if the framebuffer is incomplete.
 GlObject MakeFramebuffer(const std::vector<unsigned>& colour, unsigned depth,
                          bool with_stencil = false);
 
-/// Macros that `#ifdef` lines of shaders test.
+/// Macros that are defined for the shaders' `#ifdef` lines.
 using Switches = std::vector<std::string>;
 
-/// A linked vertex and fragment shader from files in shaders/.
+/// A linked program of a vertex and a fragment shader from files in shaders/.
 ///
 /// A line `#include "file.glsl"` includes another file of that folder. Switches remove code at
-/// compile time, because a branch on a uniform costs time on lockstep renderers even if not taken.
-/// Throws InputError with the driver's log if a file is absent or does not compile.
+/// compile time, because software renderers pay for a branch on a uniform even if they do not take
+/// it. Throws InputError with the driver's log if a file is absent or does not compile.
 class Program {
  public:
   Program(const std::string& vertex_file, const std::string& fragment_file,
           const Switches& switches = {});
 
   void Use() const;
-  // Uniforms that the compiler has removed are ignored.
+  // Ignores uniforms that the compiler has removed.
   void Set(const char* name, int value) const;
   void Set(const char* name, float value) const;
   void Set(const char* name, const Eigen::Vector2f& value) const;

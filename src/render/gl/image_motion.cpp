@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kProbe_px = 4;
 
-/// Transforms of each instance's bodies from C to the other camera frame.
+/// For each instance: the transforms of its bodies from C at `then` to C at `other`.
 using Carried = std::vector<std::vector<Pose>>;
 
 Carried CarriedBy(const SceneModel& model, const PosedView& then, const PosedView& other) {

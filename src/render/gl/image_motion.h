@@ -8,19 +8,19 @@
 
 namespace tera {
 
-/// Poses of a camera and all bodies.
+/// Poses of a camera and all bodies at one time.
 struct PosedView {
   const Pose& X_WC;
   const std::vector<Pose>& X_WB;
 };
 
-/// Largest image displacement, in pixels, of the visible surfaces between two times.
+/// Largest displacement in the image, in pixels, of the visible surfaces between two times.
 ///
-/// Model   every kProbe_px-th pixel of `frame`, rendered from `then`, yields a surface point that
-///         moves with its instance's body. For an instance of several bodies, the largest
-///         displacement of these bodies counts. Ground is static; points without depth are
+/// Model   `frame` is the image at `then`. Every kProbe_px-th pixel gives a surface point, which
+///         moves with its instance's body to `other`. If an instance has several bodies, the
+///         largest of their displacements counts. The ground is static. Pixels without depth are
 ///         infinitely far.
-/// Omits   surfaces that the probes miss, and points that leave the lens's field.
+/// Omits   surfaces that no probed pixel shows, and points that leave the lens's field.
 double ImageMotion_px(const SceneModel& model, const CameraIntrinsics& lens,
                       const CameraFrame& frame, const PosedView& then, const PosedView& other);
 

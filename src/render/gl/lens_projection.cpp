@@ -76,7 +76,7 @@ std::optional<Vec3> CameraIntrinsics::RayOf(const Vec2& pixel_px) const {
 
 std::optional<Vec2> CameraIntrinsics::PixelWithoutRay() const {
   if (IsAngular()) return PixelWhereItFolds(*this);
-  constexpr int kGrid = 64;  // lines of the grid along each side
+  constexpr int kGrid = 64;  // grid lines along each side
   const int last_u = width_px - 1, last_v = height_px - 1;
   const int step_u = std::max(1, width_px / kGrid), step_v = std::max(1, height_px / kGrid);
   for (int v = 0; v <= last_v; ++v) {

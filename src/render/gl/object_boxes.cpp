@@ -20,7 +20,7 @@ std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
 
 namespace {
 
-/// Merges the pixels of the same object, or of its part.
+/// Extends the box and the count of a whole by those of its part.
 void AddPixels(const ObjectBox& part, ObjectBox* whole) {
   whole->x_min_px = std::min(whole->x_min_px, part.x_min_px);
   whole->y_min_px = std::min(whole->y_min_px, part.y_min_px);
@@ -42,7 +42,7 @@ void AddRow(const Image<std::uint16_t>& instance, int y, std::vector<ObjectBox>*
   }
 }
 
-/// Box of all present nodes of an object or of a whole's parts, along the axes of its body.
+/// Box of all present nodes of an object, or of all parts of a whole, along the axes of its body.
 Eigen::AlignedBox3d BoxOfNodes(const SceneModel& model, const SceneState& state,
                                std::uint16_t object) {
   const Pose X_BW = state.X_WB[model.instances[object].body].inverse();
@@ -60,7 +60,7 @@ Eigen::AlignedBox3d BoxOfNodes(const SceneModel& model, const SceneState& state,
   return {box.min().cast<double>(), box.max().cast<double>()};
 }
 
-/// True if nodes of the object move with another body: a link's cylinders, track shoes.
+/// True if some nodes of the object move with another body: cylinders of a link, shoes of a track.
 bool MovesInItself(const SceneModel& model, std::uint16_t i) {
   return std::any_of(model.nodes.begin(), model.nodes.end(), [&](const SceneNode& node) {
     return node.instance == i && node.body != model.instances[i].body;

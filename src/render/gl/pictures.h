@@ -4,14 +4,15 @@
 
 namespace tera {
 
-/// GPU images of one size, with colour in sRGB or linear half floats.
+/// GPU images of one size. Colour is sRGB, or linear in half floats.
 struct Pictures {
   int width_px = 0, height_px = 0;
   bool linear = false;
   GlObject albedo, normal, label, depth;  ///< visible surfaces
-  GlObject open, open_blurred;            ///< visible sky fraction, at half resolution
-  GlObject radiance;                      ///< linear, exposed
-  GlObject toned, colour;                 ///< input and output of the edge filter
+  /// Fraction of the sky that near surfaces leave visible, at half resolution.
+  GlObject open, open_blurred;
+  GlObject radiance;       ///< linear, multiplied by the exposure
+  GlObject toned, colour;  ///< input and output of the edge filter
   GlObject geometry_target, open_target, open_blurred_target, sky_target, glass_label_target,
       tone_target, colour_target;
 
@@ -19,7 +20,7 @@ struct Pictures {
   Pictures(int width, int height, bool linear_colour);
 };
 
-/// The camera's image behind a distorting lens.
+/// GPU images of the camera behind a distorting lens.
 struct LensPictures {
   int width_px = 0, height_px = 0;
   bool linear = false;

@@ -44,7 +44,7 @@ void PinholePainter::Draw(const View& view, const SceneState& state, const Pictu
   done_("tone and edges");
 }
 
-/// Uploads changes and updates shadows; leaves the nodes placed for `view`.
+/// Uploads changes of the scene and updates shadows. Afterwards the nodes are placed for `view`.
 void PinholePainter::TakeScene(const View& view, const SceneState& state) {
   has_ground_ = state.terrain != nullptr;
   if (has_ground_) {

@@ -29,23 +29,23 @@ namespace tera {
 ///         matter; tone curve.
 class PinholePainter {
  public:
-  /// `done` receives the name of each pass after its draw calls. `model` and `workers` must outlive
-  /// this object.
+  /// Calls `done` with the name of each pass after its draw calls. `model` and `workers` must
+  /// outlive this object.
   PinholePainter(const SceneModel& model, Workers* workers,
                  std::function<void(const char* pass)> done);
 
-  /// Luminance that maps to 1; nullopt: the scene's exposure.
+  /// Sets the luminance that maps to 1. Empty: by the scene's exposure.
   void SetWhite(std::optional<double> white_cdpm2) { daylight_.SetWhite(white_cdpm2); }
-  /// Draws the scene of `state` into `p`, and the light on the visible surfaces into `light` if
-  /// given.
+  /// Draws the scene of `state` into `p`. Also writes the illuminance of the visible surfaces to
+  /// `light` unless it is null.
   void Draw(const View& view, const SceneState& state, const Pictures& p, LightPass* light);
 
   const Daylight& daylight() const { return daylight_; }
   NodeRenderer& nodes() { return nodes_; }
   const TerrainRenderer& terrain() const { return terrain_; }
-  /// Clods of the last image; null without ground.
+  /// The clods of the last image; null without ground.
   const GrainRenderer* grains() const { return has_ground_ ? &grains_ : nullptr; }
-  /// Number sent to the GPU since construction.
+  /// Triangles sent to the GPU since construction.
   std::int64_t triangles_drawn() const;
 
  private:
@@ -62,8 +62,8 @@ class PinholePainter {
   GeometryPass geometry_;
   ShadingPass shading_;
   SkyAndGlass sky_and_glass_;
-  std::optional<DustPass> dust_;  ///< created by the first image with airborne dust
-  std::optional<RainPass> rain_;  ///< only with rain
+  std::optional<DustPass> dust_;  ///< created with the first airborne dust
+  std::optional<RainPass> rain_;  ///< empty without rain
   TonePass tone_;
   bool has_ground_ = false;
 };

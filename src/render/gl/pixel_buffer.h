@@ -7,18 +7,18 @@
 
 namespace tera {
 
-/// Memory for an asynchronous copy of a GPU image.
+/// Receives an asynchronous copy of a GPU image.
 class PixelBuffer {
  public:
   PixelBuffer() = default;
   PixelBuffer(const PixelBuffer&) = delete;
   PixelBuffer& operator=(const PixelBuffer&) = delete;
   ~PixelBuffer() { Forget(); }
-  /// Starts the copy of `pixels` pixels of a texture. OpenGL `format` and `type` need `pixel_bytes`
-  /// per pixel. The copy replaces the previous one.
+  /// Starts a copy of `pixels` pixels of a texture; it replaces the previous copy. OpenGL `format`
+  /// and `type` have `pixel_bytes` per pixel.
   void Begin(const GlObject& texture, unsigned format, unsigned type, std::size_t pixels,
              std::size_t pixel_bytes);
-  /// Waits for the copy and returns it as values of T. The span is valid until the next Begin.
+  /// Waits for the copy and returns it. The span is valid until the next Begin.
   template <typename T>
   std::span<const T> Read() {
     Wait();
@@ -32,7 +32,7 @@ class PixelBuffer {
   GlObject buffer_;
   const void* mapped_ = nullptr;
   std::size_t bytes_ = 0, room_ = 0;
-  void* copied_ = nullptr;  ///< pending fence of the copy
+  void* copied_ = nullptr;  ///< fence of a copy in progress
 };
 
 }  // namespace tera

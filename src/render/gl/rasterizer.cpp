@@ -30,7 +30,7 @@ void AddTo(std::vector<std::int64_t>* sums, const std::vector<std::int64_t>& cou
   for (std::size_t i = 0; i < counts.size(); ++i) (*sums)[i] += counts[i];
 }
 
-/// The entry of `all` with that size and colour format; creates it if absent.
+/// The entry of `all` with this size and colour format; created if absent.
 template <typename AnyPictures>
 AnyPictures& FittingOf(int width_px, int height_px, bool linear, std::vector<AnyPictures>* all) {
   for (AnyPictures& p : *all) {
@@ -46,7 +46,7 @@ struct Rasterizer::Impl {
   Workers workers;
   PassWatch watch;
   EglContext context;
-  EglContext::Current current;  // current while the objects below are constructed and destroyed
+  EglContext::Current current;  // current during construction and destruction of the members below
   PinholePainter painter;
   Silhouettes silhouettes;
   LensPass lens_pass;
@@ -65,14 +65,15 @@ struct Rasterizer::Impl {
         painter(model, &workers, [this](const char* pass) { Done(pass); }),
         silhouettes(model) {}
 
-  /// The rendered camera image and its sources.
+  /// The GPU images of a rendered camera image.
   struct Shown {
     const GlObject& colour;
     LabelOutputs labels;
     const GlObject& depth;
     unsigned depth_format;
     std::vector<View> views;
-    std::vector<std::int64_t> seen;  ///< visible pixels of each instance in all views, with a lens
+    /// With a lens: visible pixels of each instance, summed over the pinhole views.
+    std::vector<std::int64_t> seen;
   };
   /// Requested outputs besides colour, depth and the label word.
   struct Wanted {
@@ -134,7 +135,7 @@ const Lens& Rasterizer::Impl::LensOf(const CameraIntrinsics& camera) {
   return lenses.emplace_back(camera);
 }
 
-/// Computes each box's visible fraction. With a lens, the pinhole images supply the counts.
+/// Computes the visible fraction of each box. With a lens, the pinhole images supply the counts.
 void Rasterizer::Impl::Measure(const Shown& shown, const SceneState& state, CameraFrame* frame) {
   NodeRenderer& nodes = painter.nodes();
   std::vector<std::uint16_t> visible;
@@ -211,7 +212,7 @@ Rasterizer::Impl::Shown Rasterizer::Impl::ShowThroughLens(const Lens& lens, cons
   return shown;
 }
 
-/// Copies complete in order of their start; the reader uses them in the same order.
+/// Starts the copies. They complete in this order, and the reader uses them in this order.
 void Rasterizer::Impl::BeginReading(const Shown& shown, const CameraIntrinsics& camera,
                                     bool normals) {
   const std::size_t pixels = static_cast<std::size_t>(camera.width_px) * camera.height_px;

@@ -34,7 +34,8 @@ RasterizerPool::RasterizerPool(const SceneModel& model, const EglOptions& egl, i
       worker->thread = std::thread([&place = *worker] { place.TakeAll(); });
     }
   } catch (const std::system_error&) {
-    // The system provides no more threads; the calling thread renders for the others.
+    // The system provides no further threads; the calling thread renders for the remaining
+    // rasterizers.
   }
 }
 
@@ -70,7 +71,7 @@ std::future<CameraFrame> RasterizerPool::Take(std::size_t rasterizer, Work work)
   return frame;
 }
 
-/// Renders requests until the rasterizer closes.
+/// Renders requests until the pool closes.
 void RasterizerPool::Worker::TakeAll() {
   std::unique_lock lock(mutex);
   while (true) {

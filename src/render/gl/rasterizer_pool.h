@@ -14,36 +14,36 @@
 
 namespace tera {
 
-/// Independent rasterizers for images of one scene, each with its own thread and OpenGL context.
-/// They work concurrently with a run.
+/// Several rasterizers of one scene, each with its own thread and OpenGL context. They render while
+/// the simulation continues.
 ///
-/// Model   each rasterizer renders its images in order of request; different rasterizers work
-///         concurrently. Every rasterizer produces the same image.
+/// Model   each rasterizer processes its requests in order; different rasterizers work
+///         concurrently. All of them produce identical images.
 class RasterizerPool {
  public:
   using Work = std::function<CameraFrame(Rasterizer* rasterizer)>;
 
   static constexpr int kThreadsOfEach = 4, kMost = 4;
-  /// Number of rasterizers that increases throughput. A GPU takes one per kThreadsOfEach of
-  /// `threads`, at most kMost. Software OpenGL takes one, since one image uses every core.
+  /// Largest useful number of rasterizers. A GPU takes one per kThreadsOfEach of `threads`, at most
+  /// kMost. Software OpenGL takes one, because one image uses every core.
   static int FittingCount(const EglOptions& egl, int threads);
 
-  /// `beside` concurrent rasterizers share `threads`. With 0, a single rasterizer renders in the
-  /// calling thread. Throws InputError as Rasterizer does.
+  /// Creates `beside` concurrent rasterizers that share `threads`. If `beside` is 0, one rasterizer
+  /// renders in the calling thread. Throws InputError as Rasterizer does.
   RasterizerPool(const SceneModel& model, const EglOptions& egl, int threads, int beside);
-  /// Finishes started images and drops waiting ones.
+  /// Completes images in progress and drops waiting requests.
   ~RasterizerPool();
   RasterizerPool(const RasterizerPool&) = delete;
   RasterizerPool& operator=(const RasterizerPool&) = delete;
 
   std::size_t count() const { return workers_.size(); }
   bool work_beside() const { return work_beside_; }
-  /// Rasterizer index for the next camera, round-robin.
+  /// Index of the rasterizer for the next camera, assigned round-robin.
   std::size_t NextForACamera() { return cameras_++ % workers_.size(); }
-  /// Requests an image. The inputs of `work` must not change until the image exists. get() rethrows
-  /// its exception.
+  /// Requests an image. The inputs of `work` must not change until the image is complete. The
+  /// future's get() rethrows an exception of `work`.
   std::future<CameraFrame> Take(std::size_t rasterizer, Work work);
-  /// Busy seconds of the most loaded rasterizer; valid while no image is in progress.
+  /// Busy time of the most loaded rasterizer. Valid only while no image is in progress.
   double busy_s() const;
 
  private:
@@ -61,7 +61,7 @@ class RasterizerPool {
   };
 
   bool work_beside_;
-  std::size_t cameras_ = 0;  ///< number of assigned cameras
+  std::size_t cameras_ = 0;  ///< number of cameras with an assigned rasterizer
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLeastLabelsOfThread = 1 << 15;  ///< pixels
+constexpr std::size_t kLeastLabelsOfThread = 1 << 15;  ///< minimum number of pixels per thread
 
 /// Extracts the components in order, starting at `first_bit`.
 template <typename T>

@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLeastPixelsOfThread = 1 << 15;  ///< pixels
+constexpr std::size_t kLeastPixelsOfThread = 1 << 15;  ///< minimum number of pixels per thread
 
 }  // namespace
 

@@ -10,14 +10,14 @@
 
 namespace tera {
 
-/// Three-channel sRGB image from four-channel pixels.
+/// Converts four-channel to three-channel sRGB pixels.
 Image<std::uint8_t> ColourOf(std::span<const std::uint8_t> rgba, int width_px, int height_px,
                              Workers* workers);
 
-/// Luminance of a linear image in which `white_cdpm2` is 1.
+/// Luminance in cd/m2 of a linear image in which `white_cdpm2` maps to 1.
 Image<float> ReadLuminance(const GlObject& colour, int width_px, int height_px, double white_cdpm2);
 
-/// Depth in m from stored values near_m / depth; 0 for the sky and beyond the camera's far
+/// Depth in m from the GPU's values near_m / depth. 0 for the sky and beyond the camera's far
 /// distance.
 Image<float> DepthOf(std::span<const float> stored, const CameraIntrinsics& camera,
                      Workers* workers);

@@ -12,7 +12,8 @@ View::View(const CameraIntrinsics& pinhole, const Pose& X_WC)
       cx_px(pinhole.cx_px),
       cy_px(pinhole.cy_px),
       near_m(pinhole.near_m) {
-  const double left = cx_px + 0.5, top = cy_px + 0.5;  // edges from the principal point
+  // Distances of the image's left and top edge from the principal point.
+  const double left = cx_px + 0.5, top = cy_px + 0.5;
   const double right = width_px - left, bottom = height_px - top;
   const std::array<Vec3, 5> normals_C = {Vec3(fx_px, 0, left), Vec3(-fx_px, 0, right),
                                          Vec3(0, fy_px, top), Vec3(0, -fy_px, bottom),
@@ -43,7 +44,7 @@ bool View::IsSame(const View& other) const {
 
 bool View::Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const {
   for (const Plane& plane : planes_) {
-    Vec3 farthest;  // corner of the box farthest along the plane's normal
+    Vec3 farthest;  // corner of the box farthest along the normal
     for (int k = 0; k < 3; ++k) {
       farthest[k] = plane.normal_W[k] > 0 ? box_max_W_m[k] : box_min_W_m[k];
     }

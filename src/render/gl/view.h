@@ -6,12 +6,13 @@
 
 namespace tera {
 
-/// A pinhole camera for the vertex shaders.
+/// A pinhole camera as the vertex shaders use it.
 ///
-/// Frames  GPU positions are relative to the eye, along W's axes, so that floats keep their
-///         precision far from the site's origin.
-/// Model   clip.xyw = (2 (fx X + (cx + 1/2) Z) / width - Z, likewise y, Z), clip.z = near. Depth
-///         near / Z falls from 1 at the near plane to 0 at infinity. Window row 0 is image row 0.
+/// Frames  GPU positions are relative to the eye, along the axes of W, so that floats keep their
+///         precision far from the origin of W.
+/// Model   clip.xyw = (2 (fx X + (cx + 1/2) Z) / width - Z, likewise for y, Z); clip.z = near.
+///         Depth near / Z falls from 1 at the near plane to 0 at infinity. Row 0 of the window is
+///         row 0 of the image.
 struct View {
   Vec3 eye_W_m;
   Mat3 R_WC;
@@ -24,7 +25,7 @@ struct View {
   Eigen::Matrix4f ClipFromRelative() const;
   /// True if both views are bit-identical.
   bool IsSame(const View& other) const;
-  /// False only if the box, given in W, lies completely outside the image.
+  /// False only if the whole box, given in W, lies outside the image.
   bool Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const;
   bool SeesSphere(const Vec3& centre_W_m, double radius_m) const;
 

@@ -5,12 +5,12 @@
 
 namespace tera {
 
-/// GPU mesh of the land around the site.
+/// The land around the site, as a mesh on the GPU.
 class Apron {
  public:
   Apron() = default;
   explicit Apron(Surroundings surroundings);
-  /// Adopts the heights of the site's border.
+  /// Adjusts the inner edge to the heights of the site's border.
   void Update(const TerrainSurface& terrain);
   /// Vertex attributes: 0 position in W, 1 normal, 2 square root of the albedo.
   void Draw() const;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kSide = GroundDetail::kSide;
 constexpr int kStones = 2600;
-constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;  // radius, in tiles
+// Radius, as a fraction of the tile's side.
+constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;
 
 struct Relief {
   std::vector<float> height = std::vector<float>(static_cast<std::size_t>(kSide) * kSide);
@@ -23,7 +24,7 @@ struct Relief {
   }
 };
 
-/// Adds a dome with a slightly uneven outline on top of the present relief.
+/// Adds a dome with a slightly uneven outline on top of the relief so far.
 void AddStone(double u, double v, double radius, double squash, double tone, Relief* relief) {
   const int reach = static_cast<int>(radius * kSide * 1.3) + 1;
   const int ci = static_cast<int>(u * kSide), cj = static_cast<int>(v * kSide);

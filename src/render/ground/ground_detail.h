@@ -5,12 +5,12 @@
 
 namespace tera {
 
-/// One periodic tile of ground detail for close views.
+/// A periodic tile of fine ground detail for close views.
 ///
-/// Model   texel (r, g, b, a): brightness about 128; slopes of the small relief along u and v about
-///         128 (255 is slope 1 for a tile of side 1); height of the relief, which darkens the gaps
-///         between grains. Relief: smooth noise with stones and clods, as domes of many sizes
-///         scattered by a seeded stream.
+/// Model   the relief is smooth noise plus stones and clods: domes of many sizes at seeded random
+///         places. A texel has four channels. r: brightness, 128 is neutral. g, b: slopes of the
+///         relief along u and v, 128 is level, 255 is slope 1 for a tile of side 1. a: height of
+///         the relief, with which the shader darkens the gaps between grains.
 struct GroundDetail {
   static constexpr int kSide = 512;
   std::vector<std::uint8_t> rgba;

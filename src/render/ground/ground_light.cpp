@@ -8,8 +8,9 @@
 namespace tera {
 namespace {
 
-constexpr float kNoShadowDepth_m = 100.0f;  // depth below the ground at the site's sunward border
-constexpr int kLargestTexture = 4096;       // texels along a side
+// Shadow depth below the ground at the border towards the sun.
+constexpr float kNoShadowDepth_m = 100.0f;
+constexpr int kLargestTexture = 4096;  // texels along a side
 
 }  // namespace
 
@@ -53,7 +54,7 @@ std::vector<TexelWindow> Gathered(const std::vector<TexelWindow>& windows, int t
       }
       window = both;
       gathered.erase(gathered.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;  // the larger window may absorb others
+      k = 0;  // restart: the larger window may absorb others
     }
     gathered.push_back(window);
   }
@@ -149,7 +150,7 @@ void SkyView::Factors(const HeightTexels& heights, const TexelRow& row, float* f
   for (int i = end; i < row.i1; ++i) factors[i - row.i0] = Factor(heights, i, row.j);
 }
 
-/// Vectorized Factor for texels whose samples all lie within the ground.
+/// Vectorized Factor, for texels whose samples all lie within the terrain.
 void SkyView::InnerFactors(const HeightTexels& heights, int i, int j, int count,
                            float* factors) const {
   const float* here_m = heights.from(i, j);
@@ -168,14 +169,14 @@ void SkyView::InnerFactors(const HeightTexels& heights, int i, int j, int count,
   for (int k = 0; k < count; ++k) factors[k] = sum[k] / directions_.size();
 }
 
-/// Order of lines in which each line follows the line that casts shadow on it.
+/// Order of the lines for a shadow sweep: each line follows the line that can cast shadow on it.
 struct GroundShadow::Sweep {
   bool along_x;       ///< lines are columns (constant i), else rows (constant j)
   int lines, across;  ///< number of lines, texels on each
   int first, step;    ///< first line and increment
-  int whole;          ///< whole and fractional texel shift across, per line towards the sun
+  int whole;  ///< shift in texels along a line, per line towards the sun: whole and fractional part
   float part;
-  float drop_m;  ///< drop of the shadow between lines
+  float drop_m;  ///< fall of the shadow's height from line to line
   std::size_t line_stride, across_stride;
 
   Sweep(const HeightTexels& heights, const Vec3& to_sun_W) {

@@ -16,9 +16,9 @@ namespace {
 constexpr int kCells = TerrainGrid::kTileCells;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
-constexpr float kUndisturbedDetail = 0.45f;  // fraction of the relief of loose soil
-constexpr int kTexelsOfAWindow = 4096;       // texels that take as long as one more window
-constexpr double kSnowSmooths = 0.8;         // fraction of the ground's relief
+constexpr float kUndisturbedDetail = 0.45f;  // strength of the detail relief relative to loose soil
+constexpr int kTexelsOfAWindow = 4096;       // fixed cost of a transfer, in texels
+constexpr double kSnowSmooths = 0.8;         // fraction of the relief that full snow cover removes
 
 std::uint8_t Snorm8(double value) {
   return static_cast<std::uint8_t>(
@@ -122,7 +122,7 @@ bool GroundTextures::IsUnderWater(std::size_t texel) const {
   return !water_m_.empty() && water_m_[texel] > heights_.at(texel);
 }
 
-/// Copies the covers of the window; returns the window of changed covers.
+/// Copies soil and state of the window from `terrain`. Returns the window of changes.
 TexelWindow GroundTextures::ReadCovers(const TerrainSurface& terrain, const TexelWindow& window) {
   TexelWindow changed;
   for (int j = window.j0; j < window.j1; ++j) {
@@ -179,7 +179,8 @@ void GroundTextures::PaintTexel(int i, int j, float sky) {
   shape[3] = Snorm8(-1);
 }
 
-/// Paints each texel once, from heights and covers alone; neighbouring tiles share their borders.
+/// Paints each texel of the windows once. A texel depends on heights and covers only; adjacent
+/// tiles share border texels.
 void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* workers) {
   const std::vector<TexelRow> rows = RowsOf(windows);
   constexpr std::size_t kLeastRows = 8;
@@ -197,7 +198,8 @@ void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* wor
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
                             Workers* workers) {
   if (changed.empty()) return;
-  const int reach = std::max(sky_view_.reach_texels(), 1);  // the normal uses texels at distance 1
+  // At least 1, because the normal uses adjacent texels.
+  const int reach = std::max(sky_view_.reach_texels(), 1);
   const int halo = reach * heights_.texel_cells() / kCells + 1;  // in tiles
   std::vector<TexelWindow> dirty(terrain.tile_count());
   TexelWindow risen;
@@ -215,7 +217,7 @@ void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<Til
     }
   }
   Paint(dirty, workers);
-  // Smaller levels straddle tiles, so they follow the painting of all tiles.
+  // Texels of smaller levels extend over several tiles, so they follow after all tiles.
   if (!painted_) dirty = {{0, 0, heights_.width(), heights_.height()}};
   painted_ = true;
   for (const TexelWindow& window : Gathered(dirty, kTexelsOfAWindow)) {

@@ -12,43 +12,43 @@
 
 namespace tera {
 
-/// A terrain tile by its position in the tile grid.
+/// Index of a terrain tile.
 struct TileIndex {
   int x = 0, y = 0;
 };
 
-/// Textures of the whole site for the ground's appearance, one texel per vertex. A site too large
-/// for one texture uses every second, third ... vertex. The textures hold colour with sky factor,
-/// shape (slope of the normal, looseness, roughness of the detail), and shadow height.
+/// Textures of the ground's appearance over the whole site: colour with sky factor; shape (slope of
+/// the normal, looseness, roughness of the detail); shadow height. There is one texel per terrain
+/// vertex, or per second, third ... vertex if the site is too large for a texture.
 ///
-/// Model   albedo by soil. Moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), where S is the
-///         degree of saturation and Rs a fixed fraction of the dry albedo. Loose soil is slightly
-///         lighter, pressed ruts are darker. A paint of the site covers undisturbed ground. Mipmap
-///         levels are means of four texels. Updates recompute only texels that changed, see changed
-///         texels, or lie in a changed shadow. Rain saturates the surface, snow covers it
-///         (ground_cover.h) and water stands in hollows (hollows.h). Water has a level shape; a
-///         negative detail roughness marks it.
+/// Model   albedo by soil. Moisture darkens it: R = Rs + (Rd - Rs) exp(-c S), where S is the degree
+///         of saturation, Rd the dry albedo and Rs a fixed fraction of it. Loose soil is slightly
+///         lighter, pressed ruts are darker. A GroundPaint covers undisturbed ground.
+///         Weather: rain saturates the surface, snow covers it (ground_cover.h), and water stands
+///         in hollows (hollows.h). Water is level; a negative roughness of the detail marks it.
+///         Mipmap texels are means of four texels. An update recomputes only texels that changed,
+///         that have a changed texel within the reach of their sky factor, or whose shadow changed.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
   GroundTextures() = default;
-  /// Water stands in the hollows of `terrain`.
+  /// Computes the water in the hollows of `terrain`, which stays constant.
   GroundTextures(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils,
                  std::shared_ptr<const GroundPaint> paint, const Weather& weather,
                  const Vec3& to_sun_W);
 
-  /// Copies the changed tiles.
+  /// Updates the textures for the changed tiles.
   void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
               Workers* workers);
-  /// Binds colour, shape and shadow to texture units `first` to `first + 2`. Sets the lookup
-  /// uniforms u_ground_scale and u_ground_origin of `program`.
+  /// Binds colour, shape and shadow to texture units `first` to `first + 2`. Sets the uniforms
+  /// u_ground_scale and u_ground_origin, which convert positions to texture coordinates.
   void Bind(unsigned first, const Program& program) const;
-  /// Height over which the ground's shadow fades. It is less than the shadow's drop between
-  /// vertices, so that level ground does not shade itself.
+  /// Height range over which the ground's shadow fades out. It is less than the fall of the shadow
+  /// between two vertices, so that level ground does not shade itself.
   double penumbra_m() const;
 
  private:
-  /// A four-channel texture with a copy of its levels.
+  /// A four-channel texture with mipmaps, and a copy of them on the CPU.
   struct Pyramid {
     struct Level {
       int width = 0, height = 0;
@@ -60,7 +60,7 @@ class GroundTextures {
 
     Pyramid() = default;
     Pyramid(int width, int height, bool holds_signed);
-    /// Recomputes the smaller levels of the texels and uploads them.
+    /// Recomputes the mipmaps of the changed window and uploads all levels.
     void Send(TexelWindow window, Workers* workers);
 
    private:
@@ -71,7 +71,7 @@ class GroundTextures {
 
   TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
   void Paint(const std::vector<TexelWindow>& windows, Workers* workers);
-  /// `sky` is the fraction of the sky's light that reaches the texel.
+  /// `sky` is the fraction of the sky's light at the texel.
   void PaintTexel(int i, int j, float sky);
   bool IsUnderWater(std::size_t texel) const;
   void SendShadow(const TexelWindow& window) const;
@@ -83,8 +83,9 @@ class GroundTextures {
   Vec2 origin_W_m_ = Vec2::Zero();
   HeightTexels heights_;
   std::vector<TerrainSurface::Cover> cover_;  ///< one per texel
-  std::vector<float> water_m_;  ///< level in each texel's hollow; empty without standing water
-  bool painted_ = false;        ///< true after the first complete paint
+  /// Water level of the hollow at each texel; empty without standing water.
+  std::vector<float> water_m_;
+  bool painted_ = false;  ///< false before the first complete paint
   SkyView sky_view_;
   GroundShadow shadow_;
   Pyramid albedo_, shape_;

@@ -31,7 +31,7 @@ struct Cells {
   }
 };
 
-/// Flood level of each cell when all hollows overflow.
+/// Flood level of each cell when all hollows are full to the brim.
 std::vector<float> Filled(const std::vector<float>& height_m, const Cells& cells) {
   using Entry = std::pair<float, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;

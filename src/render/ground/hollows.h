@@ -4,13 +4,14 @@
 
 namespace tera {
 
-/// Level of standing water in each cell: the hollow's brim, limited to `most_m` above the hollow's
-/// bottom; kDry without water.
+/// Level of the standing water in each cell, or kDry. Water fills a hollow up to its brim, but at
+/// most `most_m` above its lowest cell.
 ///
-/// Frames  heights in metres, `width` x `height` cells, x fastest; water drains over the border.
-/// Model   a hollow is a connected region below its flood level, which priority flood computes from
-///         the border. Steps of the flood level separate hollows.
-/// Omits   rain amount and run-off paths; infiltration.
+/// Frames  heights in m, `width` x `height` cells, x fastest. Water drains over the border.
+/// Model   priority flood computes the level at which water would overflow towards the border. A
+///         hollow is a connected region that lies below this level. Regions of different level are
+///         separate hollows.
+/// Omits   amount of rain, run-off paths, infiltration.
 /// Source  Barnes, Lehman and Mulla 2014, "Priority-flood", Computers and Geosciences 62, algorithm
 ///         1.
 std::vector<float> WaterLevels(const std::vector<float>& height_m, int width, int height,

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr std::uint64_t kScenerySeed = 0;  // scenery is independent of the scenario's seed
+constexpr std::uint64_t kScenerySeed = 0;  // the scenery does not depend on the scenario's seed
 
 double Smooth(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 

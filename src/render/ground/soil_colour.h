@@ -2,10 +2,9 @@
 
 namespace tera {
 
-/// Brightness of soil relative to its dry bank, as a function of saturation and looseness, both in
-/// [0, 1].
+/// Brightness of soil relative to dry undisturbed soil. Saturation and looseness are in [0, 1].
 ///
-/// Model   albedo falls exponentially with saturation to a fraction of the dry albedo; loose soil
+/// Model   albedo falls exponentially with saturation, to a fraction of the dry albedo. Loose soil
 ///         is slightly lighter.
 /// Source  Lobell and Asner 2002, Soil Sci. Soc. Am. J. 66: exponential fit to measured
 ///         reflectance.

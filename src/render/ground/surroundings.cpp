@@ -10,20 +10,21 @@
 namespace tera {
 namespace {
 
-// Distance of each ring from the border. The first ring hangs below the border as a skirt.
+// Distance of each ring from the site's border. The first ring hangs below the border as a skirt.
 constexpr std::array<double, 20> kRings_m = {
     0,  0,  1.5, 3,   5,   8,   12,  17,  24,  33,
     45, 60, 80,  110, 150, 220, 320, 500, 850, Surroundings::kReach_m};
 constexpr double kSkirt_m = 0.5;
 constexpr int kStepsPerSide = 50, kAround = 4 * kStepsPerSide;
-constexpr float kTrodden = 0.75f;  // albedo of the ground near the site over the dry soil's
+constexpr float kTrodden = 0.75f;  // albedo of the ground near the site relative to the dry soil
 constexpr double kHills_m = 9.0;   // greatest height of the far hills
 constexpr double kHillsBegin_m = 60.0, kHillsFull_m = 500.0;
 constexpr double kTrees_m = 11.0;  // height of the tree belt
 constexpr double kTreesAt_m = 320.0, kTreesWidth_m = 60.0;
-constexpr double kForestBegin_m = 150.0, kForestFull_m = 320.0;  // woods in the meadows
-constexpr double kMeadowBegin_m = 2.0, kMeadowFull_m = 16.0;     // transition from soil to grass
-constexpr double kMeadowFringe_m = 14.0;                         // width of the uneven transition
+// Forest in the meadows: from no to full density.
+constexpr double kForestBegin_m = 150.0, kForestFull_m = 320.0;
+constexpr double kMeadowBegin_m = 2.0, kMeadowFull_m = 16.0;  // transition from soil to grass
+constexpr double kMeadowFringe_m = 14.0;                      // width of the uneven transition
 // Linear colours: meadow, dry patches in it, woods.
 const Eigen::Vector3f kMeadow(0.16f, 0.17f, 0.075f), kDryMeadow(0.05f, 0.03f, 0.01f);
 const Eigen::Vector3f kWoods(0.045f, 0.065f, 0.03f);
@@ -33,7 +34,7 @@ double Ramp(double x, double from, double to) {
   return t * t * (3 - 2 * t);
 }
 
-/// Point on the site's border and the outward direction; k counts around the border.
+/// A point on the site's border, number k around it, and the outward direction there.
 struct BorderPoint {
   Vec2 p_W_m, outward;
 };

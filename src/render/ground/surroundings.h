@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// The land around the site, which extends the world beyond its border: one mesh for images and
-/// rays.
+/// The land around the site, as one mesh for images and rays.
 ///
 /// Frames  W.
-/// Model   rings around the site that start at the border's heights and blend into low seeded hills
-///         out to kReach_m. Meadow and a belt of trees exist as colours.
+/// Model   rings of vertices around the site. They start at the heights of the site's border and
+///         blend into low seeded hills out to kReach_m. A belt of trees is a ridge of the mesh.
+///         Meadow and forest are colours only.
 /// Omits   soil: nothing digs or drives there.
 class Surroundings {
  public:
@@ -27,13 +27,13 @@ class Surroundings {
   };
 
   Surroundings() = default;
-  /// The land near the site consists of the first of `soils`.
+  /// The land next to the site has the colour of the first of `soils`.
   Surroundings(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils);
-  /// Adopts the heights of the site's border.
+  /// Adjusts the inner rings to the heights of the site's border.
   void Update(const TerrainSurface& terrain);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  /// Three constant indices per triangle.
+  /// Three indices per triangle; they do not change.
   const std::vector<std::uint16_t>& indices() const { return indices_; }
 
  private:

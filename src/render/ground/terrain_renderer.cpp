@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-constexpr double kErrorPx = 0.3;  // height error of a coarser stride in the image
+constexpr double kErrorPx = 0.3;  // largest height error of a coarser stride, in the image
 constexpr double kErrorM = 0.02;
 
 GlObject DetailTexture() {
@@ -71,7 +71,7 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
   if (border) apron_.Update(terrain);
 }
 
-/// Threads compute the data that depend on heights; one thread uploads it.
+/// Worker threads compute vertices and errors; the calling thread uploads them.
 void TerrainRenderer::UploadTiles(const TerrainSurface& terrain,
                                   const std::vector<TileIndex>& changed) {
   std::vector<std::optional<TileGrid>> grids(changed.size());
@@ -94,7 +94,7 @@ void TerrainRenderer::UploadTiles(const TerrainSurface& terrain,
   }
 }
 
-/// Sets the box and the errors of coarser strides.
+/// Sets the bounding box and the errors of coarser strides.
 void TerrainRenderer::Tile::Measure(const TileGrid& grid) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : grid.vertices_W_m) box.extend(p);
@@ -163,7 +163,7 @@ void TerrainRenderer::DrawTiles(const View& view) const {
   }
 }
 
-/// The largest stride with an invisible error.
+/// The largest stride whose error is not visible at this distance.
 int TerrainRenderer::Tile::StrideFor(double distance_m, double fy_px) const {
   const double limit_m = std::min(kErrorM, kErrorPx * distance_m / fy_px);
   std::size_t s = kTileStrides.size() - 1;

@@ -15,15 +15,15 @@ namespace tera {
 
 /// Draws the ground tile by tile.
 ///
-/// Model   each tile uses the largest vertex stride whose greatest height error is below kErrorPx
-///         in the image and below kErrorM. A tile's heights, colours and normals are uploaded only
-///         when its version changes. Undisturbed tiles have few vertices.
+/// Model   a tile skips vertices: it uses the largest stride whose maximum height error is below
+///         kErrorPx in the image and below kErrorM. A tile is uploaded again only when its version
+///         changes. Undisturbed tiles have few vertices.
 class TerrainRenderer {
  public:
-  /// `workers` paint the ground and must outlive this object.
+  /// `workers` compute the ground's textures. They must outlive this object.
   TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W, Workers* workers);
 
-  /// Brings the GPU's copy up to date with `terrain`.
+  /// Updates the GPU's copy of `terrain`.
   void Update(const TerrainSurface& terrain);
   /// Draws the tiles in `view`, near to far, and the land around the site.
   void Draw(const View& view) const;
@@ -31,7 +31,7 @@ class TerrainRenderer {
 
   /// Tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const { return uploaded_tiles_; }
-  /// Number of triangles since construction.
+  /// Triangles since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
@@ -39,7 +39,8 @@ class TerrainRenderer {
     std::uint32_t version = 0;
     int pool = -1, place = 0;
     Eigen::AlignedBox3d box_W_m;
-    std::array<float, kTileStrides.size()> error_m{};  ///< infinite for a stride that does not fit
+    /// Height error by stride; infinite for a stride that does not divide the tile.
+    std::array<float, kTileStrides.size()> error_m{};
 
     void Measure(const TileGrid& grid);
     int StrideFor(double distance_m, double fy_px) const;
@@ -56,11 +57,12 @@ class TerrainRenderer {
   Workers* workers_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
-  std::vector<TilePool> pools_;  ///< for refined tiles, then for undisturbed tiles
+  std::vector<TilePool> pools_;  ///< by resolution of the tiles: refined, undisturbed
   GlObject detail_;
   GroundTextures textures_;
   Apron apron_;
-  double apron_tone_ = 1;  ///< darker in rain, as the ground at its border
+  /// Factor on the land's albedo: rain darkens it like the ground at the border.
+  double apron_tone_ = 1;
   Vec3 to_sun_W_;
   Program ground_program_{"terrain.vert", "terrain.frag"};
   Program apron_program_{"apron.vert", "apron.frag"};

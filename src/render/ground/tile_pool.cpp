@@ -61,7 +61,8 @@ TilePool::TilePool(int step_cells) : step_cells_(step_cells), array_(MakeVertexA
   glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
-/// k-th vertex of border b (south, east, north, west) in the grid, counted along +x or +y.
+/// Grid index of the k-th vertex of a border (0 south, 1 east, 2 north, 3 west), counted along +x
+/// or +y.
 int TilePool::BorderVertex(int border, int k) const {
   const int last = side() - 1;
   switch (border) {

@@ -7,33 +7,34 @@
 
 namespace tera {
 
-/// Admissible vertex strides of a tile, in squares.
+/// Possible vertex strides of a tile, in cells.
 inline constexpr std::array<int, 6> kTileStrides = {1, 2, 5, 10, 25, 50};
 
-/// Heights of one tile at every `step`-th vertex of the grid, for drawing.
+/// Vertices of one tile at every `step`-th vertex of the terrain, for drawing.
 ///
-/// Model   kTileCells / step + 1 vertices along each side, row-major. Vertices beyond the last
-///         vertex of the site coincide with it, so their squares are degenerate.
+/// Model   kTileCells / step + 1 vertices along each side, row-major. Vertices beyond the border of
+///         the site coincide with the last vertex, so their squares are degenerate.
 struct TileGrid {
   int step_cells = 1;
   std::vector<Eigen::Vector3f> vertices_W_m;
 
   TileGrid(const TerrainSurface& terrain, int a, int b);
   int side() const { return TerrainGrid::kTileCells / step_cells + 1; }
-  /// Greatest height difference from its surface at a larger stride.
+  /// Largest height error if only every `stride_cells`-th vertex is drawn.
   float StrideError_m(int stride_cells) const;
 };
 
-/// Tiles of one resolution on the GPU, with index lists for this and coarser strides. A skirt below
-/// each border closes the cracks between strides.
+/// Tiles of one resolution on the GPU, with index lists for this stride and coarser ones. Skirts
+/// below the borders close the cracks between tiles of different stride.
 class TilePool {
  public:
   explicit TilePool(int step_cells);
 
-  /// Reserves a place for one more tile.
+  /// Reserves a place for another tile and returns its number.
   int Add();
   void Send(int place, const TileGrid& tile);
-  /// Draws with a stride that is a multiple of the pool's step; returns the number of triangles.
+  /// Draws a tile with a stride that is a multiple of the pool's step. Returns the number of
+  /// triangles.
   int Draw(int place, int stride_cells) const;
   void Bind() const;
 

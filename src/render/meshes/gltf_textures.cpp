@@ -15,7 +15,7 @@ namespace {
 constexpr int kChannels = 4;
 constexpr const char* kRemedy = "export the file again with PNG or JPEG pictures embedded";
 
-/// A use of a texture by a material.
+/// A texture slot of a material.
 struct Use {
   int texture, uv_set;
   const tinygltf::ExtensionMap* extensions;

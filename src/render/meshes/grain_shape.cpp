@@ -19,7 +19,7 @@ GrainShape MakeGrain() {
       shape.corners[n++] = {b, 0, a};
     }
   }
-  // A face joins corners at the edge length 2 from each other.
+  // Corners at the edge length 2 from each other form a face.
   int face = 0;
   const auto near = [&](int i, int j) {
     return (shape.corners[i] - shape.corners[j]).norm() < 2.1f;

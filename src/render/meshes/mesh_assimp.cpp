@@ -17,7 +17,7 @@ namespace {
   throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
-/// assimp's file system, which also records the paths that it opens.
+/// File system for assimp that also records the opened paths.
 class NotingFiles : public Assimp::DefaultIOSystem {
  public:
   explicit NotingFiles(std::vector<std::filesystem::path>* read) : read_(*read) {}
@@ -36,7 +36,7 @@ const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* im
   // Drops points and lines, so that all remaining faces are triangles.
   importer->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_LINE | aiPrimitiveType_POINT);
-  // Ignores the up axis that some formats declare; coordinates stay unchanged.
+  // Ignores the up axis that a file declares, so that coordinates stay unchanged.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
       importer->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |

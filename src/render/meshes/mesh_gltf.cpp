@@ -20,14 +20,14 @@ constexpr int kMaxNodeDepth = 100;
   throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
-/// tinygltf's file reader, which also appends the path to the list at `read`.
+/// File reader for tinygltf that also appends the path to the list at `read`.
 bool ReadAndNote(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
                  void* read) {
   static_cast<std::vector<std::filesystem::path>*>(read)->emplace_back(path);
   return tinygltf::ReadWholeFile(bytes, error, path, nullptr);
 }
 
-/// Returns the model; `read` receives each file of the model.
+/// Parses the file. `read` receives the paths of all files of the model.
 tinygltf::Model ReadModel(const std::filesystem::path& file,
                           std::vector<std::filesystem::path>* read) {
   tinygltf::TinyGLTF loader;
@@ -52,7 +52,7 @@ tinygltf::Model ReadModel(const std::filesystem::path& file,
   return model;
 }
 
-/// Typed, bounds-checked view of an accessor's numbers.
+/// Bounds-checked access to the numbers of a glTF accessor.
 class Accessor {
  public:
   Accessor(const std::filesystem::path& file, const tinygltf::Model& model, int index)
@@ -84,7 +84,7 @@ class Accessor {
 
   std::size_t count() const { return accessor_->count; }
 
-  /// Texture coordinates in any of glTF's three formats.
+  /// Texture coordinates from any of glTF's three number formats.
   Eigen::Vector2f Uv(std::size_t i) const {
     if (accessor_->type != TINYGLTF_TYPE_VEC2)
       RefuseGltf(file_, "has coordinates that are not pairs");
@@ -165,7 +165,7 @@ Material ReadMaterial(const std::filesystem::path& file, const tinygltf::Model& 
   return material;
 }
 
-/// Pose (with scale) of a node in its parent, in the file's y-up axes.
+/// Pose and scale of a node in its parent, in the file's y-up axes.
 Eigen::Affine3d NodeTransform(const tinygltf::Node& node) {
   Eigen::Affine3d X = Eigen::Affine3d::Identity();
   if (node.matrix.size() == 16) {
@@ -189,7 +189,7 @@ struct Reader {
   Mesh* mesh;
   Textures* textures;
 
-  /// p = (x, -z, y): the file's y-up axes to z up.
+  /// Rotation from the file's y-up axes to z-up axes: p = (x, -z, y).
   static Mat3 ZUp() {
     Mat3 R;
     R << 1, 0, 0, 0, 0, -1, 0, 1, 0;

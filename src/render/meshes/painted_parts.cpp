@@ -32,7 +32,7 @@ std::string Shown(const Paint& paint) {
                      paint.opacity);
 }
 
-/// Index of the mesh `name`; `make` creates it if absent.
+/// Index of the mesh `name`; `make` creates it if it is absent.
 template <typename Make>
 int IndexOf(const std::string& name, const Make& make, SceneModel* scene) {
   std::vector<Mesh>& meshes = scene->meshes;

@@ -5,14 +5,14 @@
 #include "core/types/looks.h"
 #include "render/scene.h"
 
-/// Scene parts with a colour separate from their shape, as in a URDF.
+/// Scene parts whose colour is given apart from their shape, as in a URDF.
 
 namespace tera {
 
-/// Adds a solid and returns its mesh's index. An equal solid of equal colour is added once.
+/// Adds a solid and returns the index of its mesh. Solids of equal shape and colour share a mesh.
 int AddSolid(const Solid& solid, const Paint& paint, SceneModel* scene);
 
-/// Adds a whole mesh file and returns its index. An equal file of equal colour is loaded once.
+/// Adds a mesh file and returns the index of its mesh. Equal files with equal colour share a mesh.
 /// `paint` applies to STL files; other formats have their own colours. Throws like LoadMesh.
 int AddPaintedMesh(const std::filesystem::path& file, const Paint& paint, SceneModel* scene);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRgba = 4;
 
-/// Pixel index in 0 .. n - 1 of an index beyond the border.
+/// Maps a pixel index beyond the border to 0 .. n - 1, as the wrap mode defines.
 int Wrapped(int i, int n, Texture::Wrap wrap) {
   if (wrap == Texture::Wrap::kClamp) return std::clamp(i, 0, n - 1);
   const int period = wrap == Texture::Wrap::kMirror ? 2 * n : n;

@@ -8,22 +8,22 @@
 
 namespace tera {
 
-/// Reads an image file of a mesh as a repeating texture. A texture in `known` is reused; a new
-/// texture is added to it. `picture` is relative to the mesh's folder.
+/// Reads an image file as a repeating texture of a mesh. Takes it from `known` if it is there; adds
+/// a new one to it. The path `picture` is relative to the mesh's folder.
 ///
 /// Model   PNG and JPEG, 8 bits per channel, by stb_image.
-/// Throws  InputError with mesh, material and image for an absent or invalid image.
+/// Throws  InputError with mesh, material and image if the image is absent or invalid.
 std::shared_ptr<const Texture> ReadPictureFile(const std::filesystem::path& mesh,
                                                const std::string& material,
                                                const std::string& picture, Textures* known);
 
-/// Linear value of an 8-bit sRGB value (IEC 61966-2-1).
+/// Linear value in [0, 1] of an 8-bit sRGB value (IEC 61966-2-1).
 double LinearOf(std::uint8_t srgb);
 
-/// Linear mean of an sRGB texture.
+/// Mean of an sRGB texture, in linear values.
 Vec3 MeanAlbedo(const Texture& texture);
 
-/// Linear colour of an sRGB texture at (u, v), bilinear.
+/// Linear colour of an sRGB texture at (u, v), interpolated bilinearly.
 Vec3 AlbedoAt(const Texture& texture, double u, double v);
 
 }  // namespace tera

@@ -5,11 +5,11 @@
 
 namespace tera {
 
-/// Triangles of a solid in `paint`, counter-clockwise from outside. Edges of boxes and cylinders
-/// are sharp.
+/// Triangles of a solid with the colour `paint`, counter-clockwise seen from outside. Edges of
+/// boxes and cylinders are sharp.
 ///
-/// Model   facets of spheres and cylinders have their corners on the surface, 32 around. The
-///         outline of a cylinder deviates inwards by at most half a percent of its radius.
+/// Model   spheres and cylinders have 32 facets around, with corners on the true surface. The
+///         outline of a cylinder lies at most half a percent of the radius inside the true one.
 Mesh MakeSolidMesh(const Solid& solid, const Paint& paint);
 
 }  // namespace tera

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Tolerance of negative barycentric coordinates, so that no line passes between triangles.
+/// Allowed negative barycentric coordinate, so that no vertical line passes between two triangles.
 constexpr double kSlack = 1e-6;
 
 /// A triangle of a part.
@@ -37,7 +37,7 @@ struct PlacedTriangle {
   }
 };
 
-/// Writes the triangle at vertices where it is the highest so far.
+/// Writes height and colour at the vertices where this triangle is the highest so far.
 void Enter(const PlacedTriangle& triangle, TopOfMesh* top) {
   const Vec3 a = triangle.At(0), b = triangle.At(1), c = triangle.At(2);
   const double area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());

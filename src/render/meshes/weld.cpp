@@ -48,7 +48,7 @@ std::vector<Triangle> TrianglesOf(const std::vector<const MeshPart*>& parts,
   return triangles;
 }
 
-/// Disjoint sets of connected corners; one corner represents each surface.
+/// Disjoint sets of connected corners (union-find). Each surface is named by one of its corners.
 class Surfaces {
  public:
   explicit Surfaces(std::size_t corners) : next_(corners) {
@@ -64,11 +64,11 @@ class Surfaces {
   std::vector<std::uint32_t> next_;
 };
 
-/// True for each corner that represents a closed surface.
+/// For each corner that names a surface: whether that surface is closed.
 std::vector<bool> AreClosed(const std::vector<Triangle>& triangles,
                             const std::vector<Eigen::Vector3f>& positions_m, Surfaces* surfaces) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int>
-      balance;  // traversals from the lower corner
+      balance;  // traversals from the lower corner minus those from the higher one
   std::vector<double> volume_m3(positions_m.size(), 0);
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,20 +9,23 @@
 
 namespace tera {
 
-/// Triangles defined by corner positions alone.
+/// Triangles that share corners by position alone.
 struct Welded {
   std::vector<Eigen::Vector3f> positions_m;
-  std::vector<std::uint32_t> indices;  ///< three per triangle; closed surfaces first
-  std::size_t closed = 0;              ///< number of indices that belong to closed surfaces
+  /// Three per triangle; triangles of closed surfaces come first.
+  std::vector<std::uint32_t> indices;
+  std::size_t closed = 0;  ///< number of indices that belong to closed surfaces
 };
 
 /// Welds the triangles of mesh parts.
 ///
-/// Model   corners at bit-identical positions merge; degenerate triangles are dropped. A surface is
-///         a set of triangles connected by corners. It is closed if opposite traversals of each
-///         edge balance and its signed volume is positive: it faces outwards on the whole. A ray
-///         from outside then crosses equally many of its front and back faces. The first is a front
-///         face if no part of the surface is turned inside out.
+/// Model   corners with bit-identical positions merge. Degenerate triangles are dropped. Triangles
+///         that are connected by corners form a surface. A surface is closed if each edge is
+///         traversed equally often in both directions and its signed volume is positive (it faces
+///         outwards).
+///         A ray from outside crosses as many front as back faces of a closed surface. Its first
+///         crossing is a front face, unless a part of the surface is inside out. Renderers may
+///         therefore cull back faces.
 Welded Weld(const std::vector<const MeshPart*>& parts);
 
 }  // namespace tera

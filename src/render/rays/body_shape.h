@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Meshes of one body B, or of several bodies that share one scene. A node places the geometry G of
-/// one mesh in B.
+/// Meshes of a body B in one Embree scene. Identical bodies share a shape. Each node places the
+/// geometry G of a mesh in B.
 struct BodyShape {
   std::vector<int> meshes;  ///< one per node, as labels, X_BG and scale
   std::vector<SemanticClass> labels;
@@ -25,11 +25,11 @@ struct BodyShape {
   bool Alike(const BodyShape& o) const;
 };
 
-/// A scene with watertight ray intersection between triangles.
+/// A scene in which no ray passes between adjacent triangles.
 EmbreeScene NewScene(RTCDevice device);
 
-/// Adds the visible parts of the mesh `node`, an index into the body's nodes. Wet surfaces reflect
-/// less, except glass and bare metal.
+/// Adds the visible parts of a mesh. `node` is its index in the body's list of nodes. If `is_wet`,
+/// surfaces other than glass and bare metal reflect less.
 void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, bool is_wet,
                  BodyShape* shape);
 

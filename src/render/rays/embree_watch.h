@@ -12,8 +12,8 @@
 
 namespace tera {
 
-/// Keeps the first error that Embree reports in any thread. Throwing at the place of error would
-/// unwind through Embree's own frames.
+/// Keeps the first error that Embree reports in any thread; Check throws it. An exception thrown
+/// from Embree's callback would unwind through Embree's own frames.
 class EmbreeErrors {
  public:
   void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
@@ -34,7 +34,7 @@ class EmbreeErrors {
   std::string first_;
 };
 
-/// Counts the memory that a device holds; must outlive the device.
+/// Counts the memory that an Embree device holds. Must outlive the device.
 class EmbreeMemory {
  public:
   void Watch(RTCDevice device) {

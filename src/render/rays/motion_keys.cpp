@@ -8,8 +8,8 @@
 namespace tera {
 namespace {
 
-/// Rotation of a body between two motion keys above which keys are added. The chord between keys
-/// then stays within r * 0.01^2 / 8 of the arc: 0.05 mm at r = 4 m.
+/// Largest rotation between two motion keys. The chord between them then stays within r * 0.01^2 /
+/// 8 of the arc: 0.05 mm at r = 4 m.
 constexpr double kKeyTurn_rad = 0.01;
 
 }  // namespace

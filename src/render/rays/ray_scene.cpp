@@ -18,10 +18,10 @@
 namespace tera {
 namespace {
 
-/// Rays per unit of work of a thread.
+/// Rays that a thread takes at a time.
 constexpr std::size_t kRaysPerBlock = 1024;
-/// Rays per Embree packet. It divides kRaysPerBlock, so that packets do not depend on the number of
-/// threads.
+/// Rays per Embree packet. It divides kRaysPerBlock, so that the packets do not depend on the
+/// number of threads.
 constexpr std::size_t kPacket = 8;
 constexpr unsigned kAllGeometry = 0xffffffffu;
 
@@ -60,7 +60,7 @@ struct RayScene::Impl {
   void AddInstance(std::size_t index);
   void UpdateBody(std::size_t index, std::vector<Pose> keys);
   void UpdateShape(Body* body, const Shapes& now);
-  /// Traces at most kPacket rays of similar origin and direction together.
+  /// Traces up to kPacket rays of similar origin and direction as one packet.
   RTCRayHit8 Intersect(std::span<const Ray> rays, RTCIntersectContext* context) const;
   void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
   void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
@@ -82,8 +82,8 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   errors.Watch(device.get());
   held.Watch(device.get());
   scene = EmbreeScene(rtcNewScene(device.get()));
-  // Low quality selects Embree's two-level build: one tree per tile, kept while the tile does not
-  // change. Ray queries are as fast as in a single tree, and updates take far less time.
+  // Low quality selects Embree's two-level build: one tree per tile, which is kept until the tile
+  // changes. Updates take far less time than with a single tree, and queries are as fast.
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
   rtcSetSceneFlags(scene.get(),
                    static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
@@ -98,7 +98,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   errors.Check();
 }
 
-/// Groups the meshes of each body. Identical bodies share a shape, except deforming bodies.
+/// Groups the nodes by body. Bodies with identical meshes share a shape, unless they deform.
 void RayScene::Impl::FindShapes() {
   for (Body& body : bodies) {
     if (body.nodes.empty()) continue;
@@ -146,7 +146,7 @@ void RayScene::Impl::AddInstance(std::size_t index) {
   body_of[id] = static_cast<int>(index);
 }
 
-/// Rebuilds the mesh of a deforming body if it has changed. UpdateBody must follow.
+/// Rebuilds the mesh of a deforming body if it has changed. The caller must then call UpdateBody.
 void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   const ShapedMesh* mesh = ShapeAt(now, body->changing);
   if (AreAlike(mesh, body->shown.get())) return;
@@ -162,7 +162,7 @@ void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   shape.X_BG = {node.X_BG};
   shape.scale = {node.scale};
   shape.scene = NewScene(device.get());
-  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // fresh soil has its own moisture
+  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // carried soil has its own moisture
   rtcCommitScene(shape.scene.get());
   rtcSetGeometryInstancedScene(body->geometry.get(), shape.scene.get());
   shapes[body->shape] = std::move(shape);

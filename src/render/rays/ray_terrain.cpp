@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Fraction of its dry reflectance that a saturated soil keeps.
+/// Reflectance of saturated soil relative to dry soil.
 constexpr double kSaturatedReflectance = 0.5;
 
 float* Vertices(RTCGeometry geometry) {
@@ -31,7 +31,7 @@ void RayTerrain::Detach(Patch* patch) {
   patch->id = RTC_INVALID_GEOMETRY_ID;
 }
 
-/// Drops the present ground, for a terrain of another size or position.
+/// Removes all geometries, for a terrain of another size or position.
 void RayTerrain::Restart(const TerrainSurface& terrain) {
   for (const Patch* patch : patch_of_) {
     if (patch != nullptr) rtcDetachGeometry(scene_, patch->id);
@@ -56,7 +56,8 @@ void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
                               4 * sizeof(std::uint32_t), squares));
   for (int j = 0; j < squares_y; ++j) {
     for (int i = 0; i < squares_x; ++i) {
-      // Embree splits a quad along its second and fourth corner: (i, j) and (i+1, j+1).
+      // Embree splits a quad along the diagonal of its second and fourth corner: (i, j) and (i+1,
+      // j+1).
       const std::uint32_t v00 = static_cast<std::uint32_t>(j * row + i);
       const std::uint32_t corners[4] = {v00 + 1, v00 + 1 + row, v00 + row, v00};
       quads = std::copy_n(corners, 4, quads);

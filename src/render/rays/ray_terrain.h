@@ -9,12 +9,12 @@
 
 namespace tera {
 
-/// Ground within an Embree scene: one geometry per terrain tile and one for the surrounding land.
+/// The ground in an Embree scene: one geometry per terrain tile, and one for the surrounding land.
 /// An update rebuilds only tiles with a new version. Undisturbed tiles have the fewest possible
-/// quads. Airborne soil is one geometry, rebuilt on each update.
+/// quads. Clods in the air form one geometry, which each update rebuilds.
 class RayTerrain {
  public:
-  /// Adds geometries to `scene` and removes them; the owner commits the scene.
+  /// Adds its geometries to `scene` and removes them. The owner of the scene commits it.
   RayTerrain(RTCDevice device, RTCScene scene, const SceneModel& model)
       : device_(device), scene_(scene), soils_(model.soils), weather_(model.environment.weather) {}
 
@@ -23,7 +23,7 @@ class RayTerrain {
   /// Diffuse reflectance of a primitive of a ground geometry, 0..1.
   float ReflectanceAt(unsigned geometry, unsigned primitive) const;
 
-  /// Number since construction.
+  /// Number of tiles built since construction.
   std::int64_t tiles_rebuilt() const { return tiles_rebuilt_; }
 
  private:
@@ -31,7 +31,7 @@ class RayTerrain {
     EmbreeGeometry geometry;
     unsigned id = RTC_INVALID_GEOMETRY_ID;
     std::uint32_t version = 0;
-    int step_cells = 0;              ///< vertex spacing of a tile, in squares
+    int step_cells = 0;              ///< vertex spacing of the geometry, in cells
     std::vector<float> reflectance;  ///< one per primitive
   };
   void Restart(const TerrainSurface& terrain);

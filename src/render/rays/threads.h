@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Runs `work` on the calling thread and on `count - 1` others. When all threads have ended, an
-/// exception of one thread propagates.
+/// Runs `work` on `count` threads, one of which is the calling thread. Waits for all of them, then
+/// rethrows the first exception.
 inline void RunOnThreads(int count, const std::function<void()>& work) {
   std::mutex mutex;
   std::exception_ptr thrown;

@@ -9,7 +9,7 @@ namespace tera {
 void RecordedMachines::Start(const Begin& begin, WorldState* world) {
   TERA_CHECK(motions_.size() == scenario_.machines.size(), motions_.size());
   start_ns_ = begin.start_ns;
-  now_ns_ = begin.start_ns - 1;  // stationary until the start
+  now_ns_ = begin.start_ns - 1;  // at rest until the start
   for (std::size_t m = 0; m < motions_.size(); ++m) {
     world->machines.push_back(StateAt(m, now_ns_));
     world->machines[m].shovel_load.resize(

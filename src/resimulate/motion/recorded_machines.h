@@ -8,10 +8,10 @@
 
 namespace tera {
 
-/// Machines that move as recorded, independent of the ground.
+/// Moves machines as recorded, regardless of the ground.
 ///
-/// Model   before the run's start they stand at their initial poses. The simulated ground
-///         determines the load of their shovels.
+/// Model   before the start of the run, machines stand at their initial poses. The loads of shovels
+///         come from the simulated ground.
 /// Omits   forces, levers, cylinders.
 class RecordedMachines : public MotionSource {
  public:
@@ -21,7 +21,7 @@ class RecordedMachines : public MotionSource {
 
   void Start(const Begin& begin, WorldState* world) override;
   void Move(const Step& step, WorldState* world) override;
-  /// False during a longer gap of poses or encoders.
+  /// False in a long gap of the recorded poses or encoder samples (RecordedMotion::IsKnownAt).
   bool IsKnown(std::size_t machine) const override;
 
  private:

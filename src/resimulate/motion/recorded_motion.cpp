@@ -11,18 +11,19 @@
 namespace tera {
 namespace {
 
-constexpr TimeNs kNear_ns = 300'000'000;    ///< validity of a sample around its time
-constexpr TimeNs kPeriodsOfGap = 3;         ///< in mean periods; a longer interval is a gap
-constexpr TimeNs kSmooth_ns = 25'000'000;   ///< half the window of an encoder
-constexpr TimeNs kRateStep_ns = 5'000'000;  ///< for rates by differences
+constexpr TimeNs kNear_ns = 300'000'000;  ///< a sample is valid this long before and after its time
+/// A longer interval between samples, in mean periods, is a gap.
+constexpr TimeNs kPeriodsOfGap = 3;
+constexpr TimeNs kSmooth_ns = 25'000'000;   ///< half width of the window of an encoder's linear fit
+constexpr TimeNs kRateStep_ns = 5'000'000;  ///< step for rates by finite differences
 
-/// Angular velocity in W between two rotations.
+/// Angular velocity in W from the first to the second rotation.
 Vec3 RateOf(const Mat3& before, const Mat3& after, double dt_s) {
   const Eigen::AngleAxisd turn(after * before.transpose());
   return turn.axis() * (turn.angle() / dt_s);
 }
 
-/// True if samples at these ordered times cover `t_ns`: near a sample, or between two consecutive
+/// True if samples at these ordered times cover `t_ns`: it is close to a sample, or between two
 /// samples without a gap.
 template <typename Time>
 bool Covers(std::size_t count, const Time& time_of, TimeNs t_ns) {
@@ -43,7 +44,7 @@ bool Covers(std::size_t count, const Time& time_of, TimeNs t_ns) {
 double RecordedMotion::Axis::At(TimeNs t) const {
   const auto first = std::lower_bound(t_ns.begin(), t_ns.end(), t - kSmooth_ns) - t_ns.begin();
   const auto last = std::upper_bound(t_ns.begin(), t_ns.end(), t + kSmooth_ns) - t_ns.begin();
-  // Least-squares line over the window, or a line between the two adjacent samples.
+  // A least-squares line over the window. With few samples, the line through the two adjacent ones.
   if (last - first < 3) {
     const auto next = static_cast<std::size_t>(
         std::clamp<std::ptrdiff_t>(std::lower_bound(t_ns.begin(), t_ns.end(), t) - t_ns.begin(), 1,

@@ -10,33 +10,33 @@
 
 namespace tera {
 
-/// Recorded motion of a scenario's machine.
+/// Recorded motion of a machine.
 ///
-/// Frames  W of the recording's poses; links as in MachineModel.
-/// Model   base poses are linear between rows. Encoders supply joint and gear positions, as a local
-///         linear fit to the samples within 25 ms, so that sample noise does not become speed. A
-///         joint without encoder keeps the scenario's position. A machine on a fixed base without
-///         poses keeps its placement.
-/// Omits   errors of encoders and poses themselves.
+/// Frames  W of the recorded poses; links as in MachineModel.
+/// Model   base poses are interpolated linearly between rows. Joint and gear positions come from
+///         encoders: a linear fit to the samples within 25 ms, so that sample noise does not become
+///         speed. A joint without an encoder keeps the scenario's position. A machine on a fixed
+///         base without recorded poses keeps its placement.
+/// Omits   errors of the encoders and of the recorded poses.
 class RecordedMotion {
  public:
-  /// `name` is the machine's name in the recording. The constructor reads the recording's channels.
+  /// Reads the channels of the recording. `name` is the machine's name there.
   RecordedMotion(const MachinePlacement& placement, const std::string& name,
                  const Recording& recording);
 
-  /// Reason for an unknown machine pose; empty if it is known.
+  /// Explains why the machine's pose is unknown. Empty if it is known.
   const std::string& obstacle() const { return obstacle_; }
   /// Time of the first measurement.
   std::optional<TimeNs> first_ns() const;
-  /// True if poses and encoders cover the time. Cover means within 0.3 s of a sample, or between
-  /// two samples at most three mean periods apart.
+  /// True if poses and encoders cover the time. A channel covers times within 0.3 s of a sample,
+  /// and times between two samples that are at most three mean periods apart.
   bool IsKnownAt(TimeNs t_ns) const;
-  /// True if every lever-driven joint has an encoder, so that the whole machine's pose is known.
+  /// True if each joint with a lever has an encoder. The pose of the whole machine is then known.
   bool shows_whole() const { return shows_whole_; }
-  /// True if every such joint between base and link has an encoder.
+  /// True if each joint with a lever between the base and this link has an encoder.
   bool Carries(int link) const;
 
-  /// State with only links, joints and gears filled.
+  /// State in which only links, joints and gears are set.
   MachineState At(TimeNs t_ns) const;
 
  private:
@@ -45,7 +45,7 @@ class RecordedMotion {
     std::vector<double> position;
     double At(TimeNs t) const;
   };
-  /// True if a joint's motion is known, or if no lever moves it.
+  /// True if the joint has an encoder or no lever moves it.
   bool IsShown(std::size_t joint) const;
   static std::optional<Axis> AxisNamed(const std::string& axis, const std::string& machine,
                                        const Recording& recording);

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Pair of steps around a time, and the fraction between them.
+/// The two steps around a time, and the fraction between them.
 struct Place {
   std::size_t a = 0, b = 0;
   double s = 0;

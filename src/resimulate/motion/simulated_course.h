@@ -8,17 +8,17 @@
 
 namespace tera {
 
-/// Motion of one machine in the simulation of its whole scenario, at equal time steps.
+/// Motion of one machine in a simulation of its whole scenario, at equal time steps.
 ///
-/// Frames  W of the scenario; B root link. Axes are joints, followed by gears, in the model's
-///         order.
-/// Model   motion is linear between steps.
+/// Frames  W of the scenario; B root link. Axes are the joints, then the running gears, in the
+///         order of the model.
+/// Model   linear interpolation between steps.
 struct SimulatedCourse {
   struct Step {
     std::vector<double> position_rad, rate_radps;  ///< one per axis
     Pose X_WB = Pose::Identity();
   };
-  TimeNs zero_ns = 0;  ///< start of the simulation, in the recording
+  TimeNs zero_ns = 0;  ///< time in the recording at which the simulation starts
   double step_s = 0;
   std::vector<Step> steps;  ///< at least one step
 

@@ -24,7 +24,7 @@ void LimitDepth(const CameraModel& model, Workers* workers, Image<float>* depth_
   });
 }
 
-/// The label of clean glass.
+/// Soiling label of clean glass.
 Image<std::uint8_t> AllClear(const CameraIntrinsics& camera) {
   Image<std::uint8_t> label(camera.width_px, camera.height_px);
   std::ranges::fill(label.data, PixelOfShare(1));

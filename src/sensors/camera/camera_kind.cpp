@@ -13,15 +13,14 @@
 #include "sensors/slots/frame_slots.h"
 #include "sensors/slots/mechanism_rows.h"
 
-// Camera as a sensor kind.
-
 namespace tera {
 namespace {
 
-/// Takes an image at the end of its last row's exposure, over the ground at that time.
+/// Takes each image at the end of the exposure of its last row, over the ground at that time.
 ///
-/// Model   a rasterizer receives the request, and the sampler writes the finished image. Concurrent
-///         rasterizers delay the write to a later step. An image of many instants is awaited.
+/// Model   A rasterizer renders the image, and the sampler writes it. With concurrent rasterizers,
+///         the write may happen in a later step. Images that need several instants are rendered
+///         within their step.
 class CameraSampler : public SensorSampler {
  public:
   explicit CameraSampler(const SensorPlace& place)
@@ -69,11 +68,12 @@ class CameraSampler : public SensorSampler {
     ordered_.push_back(std::move(picture));
     const bool is_late =
         first_rasterizer_ && step.scene.rasterizers()->work_beside() && !LooksBack();
-    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no rasterizer is idle
+    // leaves one image for each rasterizer in progress
+    WriteAllBut(is_late ? cameras_.size() + 1 : 0);
   }
 
-  /// A camera with memory uses a single rasterizer. Other cameras alternate between the
-  /// rasterizers, with one Camera object each.
+  /// A camera with memory uses a single rasterizer. Other cameras use the rasterizers in turn, with
+  /// one Camera object for each.
   void Order(const SensedStep& step, Ordered* picture) {
     RasterizerPool& rasterizers = *step.scene.rasterizers();
     if (!first_rasterizer_) first_rasterizer_ = rasterizers.NextForACamera();
@@ -90,7 +90,8 @@ class CameraSampler : public SensorSampler {
                          });
   }
 
-  /// Scenes for a camera that looks back are valid during the step; other scenes as long as `kept`.
+  /// Scenes for images of several instants are valid during the step, other scenes as long as
+  /// `kept`.
   SceneAt ScenesOf(const SensedStep& step, const KeptScene& kept) const {
     SeenScene seen;
     seen.state.terrain = kept.ground.get();
@@ -120,7 +121,7 @@ class CameraSampler : public SensorSampler {
     while (ordered_.size() > last) WriteFirst();
   }
 
-  /// Waits for the image.
+  /// Waits for the oldest image and writes it.
   void WriteFirst() {
     Ordered picture = std::move(ordered_.front());
     ordered_.pop_front();
@@ -133,14 +134,14 @@ class CameraSampler : public SensorSampler {
     }
   }
 
-  std::vector<Camera> cameras_;  ///< identical, one per rasterizer if the camera has no memory
+  std::vector<Camera> cameras_;  ///< identical; one for each rasterizer if the camera has no memory
   std::optional<std::size_t> first_rasterizer_;
   FrameSlots slots_;
   SampleClock clock_;
   int link_ = 0;
   Pose X_BT_;  ///< true mounting
   SensorOutput output_;
-  PoseTrack X_WS_;  ///< only for a camera that looks back
+  PoseTrack X_WS_;  ///< used only for images of several instants
   std::int64_t next_ = 0;
   std::deque<Ordered> ordered_;
 };
@@ -188,7 +189,7 @@ void CheckExposure(const ConfigMap& config, const CameraModel& model, double rat
   }
 }
 
-/// Points of the recorded depth image's pixels. An odd stride ensures that all columns contribute.
+/// Points of the pixels of the recorded depth image. The odd stride samples all columns.
 LoadedScan DepthPoints(const SensorDescription& sensor, const Measurement& recorded,
                        std::size_t most) {
   const auto& model = std::get<CameraModel>(sensor.model);

@@ -7,9 +7,9 @@
 namespace tera {
 namespace {
 
-/// From a pixel's centre to its border: pixel (0, 0) is centred at (0, 0).
+/// Distance from the centre of a pixel to its border.
 constexpr double kHalf_px = 0.5;
-constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< per pixel
+constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< bytes per pixel
 
 bool IsInPicture(const CameraIntrinsics& lens, const Vec2& pixel_px) {
   return pixel_px.x() >= -kHalf_px && pixel_px.y() >= -kHalf_px &&
@@ -36,13 +36,13 @@ double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
     return PerPlane(lens, d1_C, x_C, d1_C.cross(x_C));
   }
   if (lens.Distorted()) {
-    // A lens may fold directions far outside its field onto the image; the pixel's own ray then
-    // differs.
+    // A distorted lens may fold directions outside its field onto the image. The ray of the pixel
+    // then differs from the direction.
     constexpr double kSame = 1e-6;
     const std::optional<Vec3> ray_C = lens.RayOf(pixel_px);
     if (!ray_C || (*ray_C / ray_C->z() - d1_C).norm() > kSame) return 0;
   }
-  // A plane's area per steradian is r^3 / z.
+  // The area of a plane per steradian is r^3 / z.
   return PerPlane(lens, d1_C, Vec3::UnitX(), Vec3::UnitY()) * std::pow(d1_C.norm(), 3);
 }
 

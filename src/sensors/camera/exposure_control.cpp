@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kMostStep_ev = 4;  ///< limit of the correction by one image
+constexpr double kMostStep_ev = 4;  ///< limit of the correction per image
 
 void SerializeLoop(ModelArchive* archive, ControlLoop* loop) {
   constexpr double kMostDelay = 100;
@@ -27,7 +27,7 @@ double Product_s(const PictureSettings& settings) {
   return settings.exposure_s * std::pow(10, settings.gain_db / 20);
 }
 
-/// Factor that moves `found` towards `wanted`.
+/// Factor that moves `found` towards `wanted` by the share `rate` of the error in EV.
 double Correction(double wanted, double found, double rate) {
   const double error_ev = std::log2(wanted / std::max(found, 1e-9));
   return std::exp2(rate * std::clamp(error_ev, -kMostStep_ev, kMostStep_ev));
@@ -87,7 +87,7 @@ void ExposureControl::Take(const Metered& for_exposure, const Metered& for_balan
     Vec3 next = used.balance;
     const Vec3& colour = for_balance.colour;
     for (const int c : {0, 2}) {
-      if (!(colour[1] > 0 && colour[c] > 0)) continue;  // the colour has no signal
+      if (!(colour[1] > 0 && colour[c] > 0)) continue;  // no signal in this colour
       const double wanted = used.balance[1] * colour[1] / colour[c];
       next[c] *= Correction(wanted, used.balance[c], balance_->rate);
       next[c] = std::clamp(next[c], 1 / balance_->most, balance_->most);

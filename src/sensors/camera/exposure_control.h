@@ -14,21 +14,21 @@ struct MeteringZone {
   double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-/// Control loop on previous images.
+/// A control loop that acts on later images.
 struct ControlLoop {
   MeteringZone zone;
-  int delay_pictures = 2;  ///< from an image to the first image that it affects
-  double rate = 0.5;       ///< fraction of the error, in EV, corrected per image
+  int delay_pictures = 2;  ///< number of images from the metered one to the first one affected
+  double rate = 0.5;       ///< share of the error, in EV, corrected per image
 };
 
 struct AutomaticExposure : ControlLoop {
-  double target = 0.18;  ///< mean of green's signal over its range
+  double target = 0.18;  ///< mean green signal over its range
   double shortest_s = 2e-5, longest_s = 0.03;
   double least_gain_db = 0, most_gain_db = 24;
 };
 
 struct AutomaticWhiteBalance : ControlLoop {
-  double most = 4;  ///< maximum factor on red or blue; its inverse is the minimum
+  double most = 4;  ///< greatest factor on red or blue; its inverse is the least
 };
 
 void Serialize(ModelArchive* archive, AutomaticExposure* model);
@@ -42,18 +42,18 @@ struct PictureSettings {
 
 /// Metering result of an image.
 struct Metered {
-  double signal = 0;           ///< mean of green over its range, including saturated pixels
+  double signal = 0;           ///< mean of green over its range, saturated pixels included
   Vec3 colour = Vec3::Zero();  ///< means over the unsaturated pixels
 };
 
 /// Automatic exposure and white balance of one camera, image by image.
 ///
-/// Model   H is the product of exposure and gain of image j. Image j + delay has
-///         H (target / signal)^rate, as exposure up to its longest, then as gain. The balance moves
-///         likewise towards equal means of red, green and blue (grey world). The first `delay`
-///         images keep the initial settings.
-/// Omits   weights within the zone, histograms, hysteresis; flicker avoidance.
-/// Source  grey world: Buchsbaum 1980, "A spatial processor model for object colour perception".
+/// Model   H is the product of exposure and gain of image j. Image j + delay gets H (target /
+///         signal)^rate. It is applied as exposure up to the longest one, then as gain. The balance
+///         moves in the same way towards equal means of red, green and blue (grey world). The first
+///         `delay` images keep the initial settings.
+/// Omits   Weights within the zone, histograms, hysteresis; flicker avoidance.
+/// Source  Grey world: Buchsbaum 1980, "A spatial processor model for object colour perception".
 class ExposureControl {
  public:
   ExposureControl(const std::optional<AutomaticExposure>& exposure,
@@ -64,7 +64,7 @@ class ExposureControl {
   PictureSettings Settings() const;
   bool meters_exposure() const { return exposure_.has_value(); }
   bool meters_balance() const { return balance_.has_value(); }
-  /// Meters the next image for both loops.
+  /// Passes the metering of the next image to both loops.
   void Take(const Metered& for_exposure, const Metered& for_balance);
 
  private:
@@ -74,7 +74,7 @@ class ExposureControl {
   std::optional<AutomaticExposure> exposure_;
   std::optional<AutomaticWhiteBalance> balance_;
   PictureSettings start_;
-  std::deque<double> product_s_;  ///< settings of the next images, in order
+  std::deque<double> product_s_;  ///< products of exposure and gain of the next images, in order
   std::deque<Vec3> balances_;
 };
 

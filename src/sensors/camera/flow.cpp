@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kHalfPixel_px = 0.5;
-constexpr double kSameDepth = 0.01;  // relative tolerance for depth variation between pixels
+constexpr double kSameDepth = 0.01;  // relative tolerance for the variation of depth between pixels
 
 /// Transforms from C to the other camera frame: first for static points, then for each body.
 std::vector<Pose> CarriedBy(const SeenSurfaces& from, const SeenSurfaces& to) {
@@ -28,7 +28,7 @@ bool IsOnPixels(const CameraIntrinsics& lens, const Vec2& pixel_px) {
          pixel_px.y() < lens.height_px - kHalfPixel_px;
 }
 
-/// True if an image shows a body's point at that position and depth (0: infinitely far).
+/// True if an image shows the point of a body at that position and depth (0 for infinity).
 bool Shows(const SeenSurfaces& seen, std::uint16_t body, const Vec2& pixel_px, double depth_m) {
   const int left = static_cast<int>(std::floor(pixel_px.x()));
   const int top = static_cast<int>(std::floor(pixel_px.y()));

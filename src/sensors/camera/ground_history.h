@@ -8,23 +8,23 @@
 
 namespace tera {
 
-/// Change of the ground since a camera's first image.
+/// Change of the ground since the first image of a camera.
 ///
 /// Frames  W.
-/// Model   the nearest vertex supplies the cover; the height change applies to the surface at the
-///         point. A vertex is touched if its height or cover is set between images; weather touches
-///         nothing.
+/// Model   The cover is that of the nearest vertex; the change of height is that of the surface at
+///         the point. A vertex is touched if its height or cover is set between images. Weather
+///         does not touch it.
 class GroundHistory {
  public:
   struct State {
     TerrainSurface::Cover cover;
     double risen_m = 0;                  ///< since the first image
-    std::optional<TimeNs> untouched_ns;  ///< since the last touch; nullopt: never touched
+    std::optional<TimeNs> untouched_ns;  ///< time since the last touch; empty if never touched
   };
 
-  /// Records the ground at the time of an image; a single call per image, in order.
+  /// Records the ground at the time of an image. Call it once per image, in order.
   void Advance(const TerrainSurface& ground, TimeNs t_ns);
-  /// State at the last image; nullopt outside the site.
+  /// State at the last image; empty outside the site.
   std::optional<State> At(double x_m, double y_m) const;
 
  private:
@@ -32,8 +32,8 @@ class GroundHistory {
 
   TimeNs t_ns_ = 0;
   std::optional<TerrainSurface> first_, now_;
-  /// Last touch time of each touched vertex of a tile, row-major over its squares and its upper
-  /// border.
+  /// Time of the last touch of each vertex of a tile, row-major, with the upper border. Empty for
+  /// an untouched tile.
   std::vector<std::vector<std::optional<TimeNs>>> touched_ns_;
 };
 

@@ -24,7 +24,7 @@ double FewOf(double mean, double uniform) {
   return count;
 }
 
-/// Poisson count.
+/// Poisson count; a rounded normal value for large means.
 double CountOf(double mean, const Stream& draw, std::uint64_t index) {
   if (mean < kFewElectrons) return FewOf(mean, draw.Uniform(index));
   return std::max(0.0, std::round(mean + std::sqrt(mean) * draw.Gaussian(index)));
@@ -159,7 +159,7 @@ double ImageSensor::white_cdpm2(const PictureSettings& settings) const {
   return model_.full_well_e / std::pow(10, settings.gain_db / 20) / (efficiency * photons);
 }
 
-/// 0 red, 1 green, 2 blue.
+/// Colour of a pixel: 0 red, 1 green, 2 blue.
 int ImageSensor::ColourOf(int x_px, int y_px) const {
   constexpr std::array<std::array<int, 4>, 4> kColours = {
       {{0, 1, 1, 2}, {2, 1, 1, 0}, {1, 0, 2, 1}, {1, 2, 0, 1}}};
@@ -227,7 +227,7 @@ Metered ImageSensor::Meter(const Image<std::uint16_t>& raw_dn, const MeteringZon
 Image<std::uint8_t> ImageSensor::Develop(const Image<std::uint16_t>& raw_dn,
                                          const PictureSettings& settings) const {
   const double white = (1 << model_.bits) - 1 - model_.black_dn;
-  // A look-up table per colour: balance relative to green, and encoding.
+  // A look-up table for each colour: balance and encoding.
   std::array<std::vector<std::uint8_t>, 3> encoded;
   for (int c = 0; c < 3; ++c) {
     for (int dn = 0; dn < (1 << model_.bits); ++dn) {

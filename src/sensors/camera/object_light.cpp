@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Sums over an object's pixels, and their number.
+/// Sums over the pixels of an object, and their number.
 struct Sums {
   ObjectLight light;
   std::int64_t pixels = 0;
@@ -28,8 +28,8 @@ struct Sums {
   }
 };
 
-/// Image motion during the exposure: transforms from the stamp's C to the C at both ends. The first
-/// entry is for static points, followed by the bodies.
+/// Image motion during the exposure: transforms from C at the stamp to C at opening and at closing.
+/// The first entry is for static points, the others for the bodies.
 class OpenShutter {
  public:
   OpenShutter(const CameraIntrinsics& lens, const SceneAt& scene_at, TimeNs t_ns, double open_s)

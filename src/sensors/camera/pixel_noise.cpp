@@ -9,7 +9,7 @@ namespace tera {
 namespace {
 
 /// Standard normal quantiles at the centres of 2^bits equal parts of (0, 1), scaled to unit
-/// variance. A look-up replaces logarithm and cosine per pixel.
+/// variance. The look-up replaces logarithm and cosine per pixel.
 template <int bits>
 class NormalQuantiles {
  public:
@@ -60,8 +60,8 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 
 }  // namespace
 
-/// 2^16 quantiles reach 4.3 sigma. Their steps stay below the stored millimetre wherever draws are
-/// frequent.
+/// 2^16 quantiles reach 4.3 sigma. Except in the rare tails, their steps are below the stored
+/// millimetre.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& air, Workers* workers, Image<float>* depth_m) {
   static const NormalQuantiles<16> normal(workers);
@@ -77,8 +77,8 @@ void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t
   });
 }
 
-/// Rounding to 255 levels hides the steps of 2^12 quantiles. A single draw supplies a pixel's three
-/// values.
+/// Rounding to 255 levels hides the steps of 2^12 quantiles. One draw supplies the three values of
+/// a pixel.
 void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb) {
   static const NormalQuantiles<12> normal(workers);

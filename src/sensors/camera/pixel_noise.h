@@ -8,10 +8,10 @@
 
 namespace tera {
 
-/// Divides each non-zero depth z by 1 - s z n, n standard normal. s is the disparity noise over
-/// focal length and baseline. Far away, where the noise exceeds the disparity, the result is no
-/// measurement. `air` holds the optical depth per pixel, or is empty; the noise grows as the air
-/// reduces the contrast. Pixel i uses draw `first` + i.
+/// Divides each non-zero depth z by 1 - s z n, with n standard normal. s is the disparity noise
+/// over focal length and baseline. Where the noise exceeds the disparity, far away, depth becomes
+/// 0. `air` is the optical depth per pixel and may be empty; the noise grows as air reduces the
+/// contrast. Pixel i uses draw `first` + i.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& air, Workers* workers, Image<float>* depth_m);
 

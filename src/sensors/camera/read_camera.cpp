@@ -9,8 +9,6 @@
 #include "sensors/camera/camera.h"
 #include "sensors/camera/read_lens.h"
 
-// Reads a camera's model from YAML and writes it.
-
 namespace tera {
 namespace {
 
@@ -42,8 +40,7 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
   return labels;
 }
 
-/// Reports labels computed from depth and poses under a rolling shutter: they need a single
-/// instant.
+/// Reports labels that need a single instant under a rolling shutter: those from depth and poses.
 void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) {
   if (!model.image_sensor->shutter || model.image_sensor->shutter->readout_s == 0) return;
   for (const LabelChannel& channel : kLabelChannels) {
@@ -69,7 +66,7 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
     key = "time_of_flight";
     model->time_of_flight = ReadModel<TimeOfFlightModel>(*flight);
   }
-  // Either replaces a preset's noise.
+  // Either one replaces the noise of a preset.
   if (key.empty() || !LiesBelow(config, "disparity_noise_px", key)) {
     model->disparity_noise_px = config.Number("disparity_noise_px", AtLeast(0, "px"), 0);
   }
@@ -84,7 +81,7 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
                  "needs pictures of a pinhole, but this lens distorts; need a camera without "
                  "lens and its coefficients");
   }
-  constexpr int kFinest_px = 8192;  // side of the image that supplies the parts
+  constexpr int kFinest_px = 8192;  // side of the image that renders the parts
   const int side_px = std::max(model->intrinsics.width_px, model->intrinsics.height_px);
   if (model->time_of_flight && model->time_of_flight->parts * side_px > kFinest_px) {
     config.Map("time_of_flight")
@@ -167,7 +164,7 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
   }
   ReadDepthSensor(config, &m);
   m.baseline_m = config.Number("baseline_m", Positive("m"), m.baseline_m);
-  // An image sensor replaces a preset's noise.
+  // An image sensor replaces the noise of a preset.
   if (!LiesBelow(config, "rgb_noise", "image_sensor")) {
     m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
   }

@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// Reads a camera's image size, lens and distances. A lens that folds within its image is a fault.
+/// Reads image size, lens and distances of a camera. A lens that folds within its image is a fault.
 CameraIntrinsics ReadLens(const ConfigMap& config);
 /// The lens as in sensor.yaml, indented by two blanks.
 std::string LensYaml(const CameraIntrinsics& lens);
-/// Name of a law in the key `lens`.
+/// Name of a projection law in the key `lens`.
 std::string_view NameOf(LensKind kind);
 
 }  // namespace tera

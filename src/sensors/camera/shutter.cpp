@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Opening time of one row.
+/// Exposure time of one row.
 double Open_s(const ShutterModel& model, double exposure_s) {
   return model.motion_blur ? exposure_s : 0;
 }

@@ -12,21 +12,21 @@
 namespace tera {
 namespace {
 
-/// Soil index plus 1; 0: not the site's ground.
+/// Soil index plus 1; 0 outside the ground of the site.
 std::uint8_t PixelOfSoil(std::uint8_t soil) {
   return static_cast<std::uint8_t>(std::min(soil + 1, 255));
 }
 
-/// Rise of the surface in millimetres plus 32768, limited to 32.767 m up or down; 0: not the site's
-/// ground.
+/// Rise of the surface in millimetres plus 32768, limited to +-32.767 m; 0 outside the ground of
+/// the site.
 std::uint16_t PixelOfRise(double risen_m) {
   constexpr double kMiddle = 32768, kPerMetre = 1000;
   return static_cast<std::uint16_t>(
       std::clamp(std::round(kMiddle + kPerMetre * risen_m), 1.0, 65535.0));
 }
 
-/// Time since the ground was touched, in tenths of a second plus 1, at most 65534; 65535: never; 0:
-/// not the site's ground.
+/// Time since the ground was touched, in tenths of a second plus 1, at most 65534. 65535 means
+/// never, 0 outside the ground of the site.
 std::uint16_t PixelOfAge(std::optional<TimeNs> untouched_ns) {
   constexpr TimeNs kStep_ns = kNsPerSecond / 10, kLongest = 65534, kNever = 65535;
   if (!untouched_ns) return kNever;

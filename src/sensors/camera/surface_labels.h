@@ -12,19 +12,18 @@
 
 namespace tera {
 
-/// Label images computed from visible surfaces (LabelSource::kSurfaces): flow between images,
+/// Label images computed from the visible surfaces (LabelSource::kSurfaces): flow between images,
 /// ground state, distance.
 class SurfaceLabels {
  public:
   SurfaceLabels(const CameraIntrinsics& lens, LabelSet labels);
 
-  /// True if a label is of this kind; Fill must then follow each image.
+  /// True if there are such labels. Fill must then be called for each image.
   bool any() const { return any_; }
   /// True if an image depends on earlier images.
   bool HasMemory() const { return flows_ || ages_; }
 
-  /// Fills the requested labels for the image of `scene`, from its exact rendered depth and its
-  /// bodies.
+  /// Fills the requested labels of the image of `scene`. `depth_m` is the exact rendered depth.
   void Fill(const SeenScene& scene, const Image<float>& depth_m, const Image<std::uint16_t>& body,
             CameraFrame* frame);
 

@@ -15,10 +15,10 @@ struct SeenScene {
   SceneState state;
 };
 
-/// Scene at time `t_ns`, near an image's time.
+/// The scene at time `t_ns`, near the time of an image.
 using SceneAt = std::function<SeenScene(TimeNs t_ns)>;
 
-/// An image whose rows have separate exposures.
+/// Parameters of an image whose rows have separate exposures.
 struct SweptView {
   const ShutterModel& shutter;
   double exposure_s;
@@ -27,13 +27,13 @@ struct SweptView {
   const SceneAt& scene_at;
 };
 
-/// Renders the image stamped `t_ns`, in luminance, with depth and labels.
+/// Renders the image with time stamp `t_ns`, in luminance, with depth and labels.
 ///
-/// Model   light is averaged in luminance over the instants of Exposures. Depth and labels of a row
-///         show the instant at the middle of its exposure; 3-D boxes refer to `t_ns`. Image motion
-///         determines the number of instants (ImageMotion_px).
-/// Omits   motion of the ground, and of soil in a shovel, within the image: one state serves all
-///         instants.
+/// Model   Light is the mean of luminance over the instants of Exposures. Depth and labels of a row
+///         show the instant at the middle of its exposure; 3-D boxes refer to `t_ns`. The image
+///         motion (ImageMotion_px) determines the number of instants.
+/// Omits   Motion of the ground, and of soil in a shovel, within the image: all instants use one
+///         state.
 ///
 /// `body` and `light`, if given, receive these images of Rasterizer::Render at `t_ns`.
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,

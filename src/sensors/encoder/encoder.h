@@ -15,23 +15,24 @@ struct EncoderModel {
   double resolution_rad = 0;        ///< 0: no quantisation
   double noise_rad = 0;             ///< 1 sigma, before quantisation
   double rate_noise_radps = 0;
-  double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< for prismatic joints
+  double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< the same for prismatic joints
 };
 
 void Serialize(ModelArchive* archive, EncoderModel* model);
 
-/// Angle and rate sensors of several joints, tracks or wheels, sampled together.
+/// Encoders of several joints, tracks or wheels, sampled together.
 ///
-/// Frames  angles and rates about each joint's own axis, from its zero; metres for prismatic
-///         joints.
-/// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate
-///         qd + N(0, sigma_rate^2), measured independently of the rounded angles.
-/// Omits   backlash, eccentricity, single-turn wrap. (Zero offset: AxisErrors.)
-/// Source  rounding: uniform error of variance resolution^2 / 12 (Bennett 1948, "Spectra of
-///         quantized signals") for motion across many steps.
+/// Frames  Positions and rates are about each joint's own axis, from its zero; in metres for
+///         prismatic joints.
+/// Model   Position q + N(0, sigma^2), rounded to the nearest multiple of the resolution. Rate qd +
+///         N(0, sigma_rate^2), independent of the rounded position.
+/// Omits   Backlash, eccentricity, wrap-around of single-turn encoders. AxisErrors adds the zero
+///         offset.
+/// Source  Rounding: uniform error of variance resolution^2 / 12 for motion across many steps
+///         (Bennett 1948, "Spectra of quantized signals").
 class Encoder {
  public:
-  /// `linear` marks the axes measured in metres; empty: all are angles.
+  /// `linear` marks the axes measured in metres. If it is empty, all axes are angles.
   Encoder(const EncoderModel& model, const SampleClock& clock, TimeNs latency_ns,
           std::uint64_t seed, const std::string& stream_name, std::vector<bool> linear = {});
   /// Sample k of axes at positions `q_rad` with rates `qd_radps`.

@@ -9,14 +9,14 @@
 
 namespace tera {
 
-/// Sign and slot `sensor_static` of an axis, for angles in rad or travel in m.
+/// Errors `axis_flip` and `sensor_static` of one axis, for angles in rad or travel in m.
 ///
-/// Model   position: s m q + b + c dT(t) + o, clipped to +-limit, rounded to a multiple of the
-///         step; rate: s m_r qd + b_r, clipped, rounded. s = -1: `axis_flip`; m, m_r: `scale`; b,
-///         b_r: `bias`; c dT(t): `temperature_drift`; o: `outliers`; then `saturation`,
-///         `quantisation`. Prismatic axes use the parameters in metres, others the parameters in
-///         degrees.
-/// Omits   eccentricity; effect of an angle's bias on the rate.
+/// Model   Position: s m q + b + c dT(t) + o, clipped to +-limit, rounded to a multiple of the
+///         step. Rate: s m_r qd + b_r, clipped and rounded. s = -1 with `axis_flip`; m and m_r come
+///         from `scale`; b and b_r from `bias`; c dT(t) from `temperature_drift`; o from
+///         `outliers`. `saturation` clips, `quantisation` rounds. Prismatic axes use the parameters
+///         in metres, other axes those in degrees.
+/// Omits   Eccentricity; effect of an angle's bias on the rate.
 class AxisErrors {
  public:
   AxisErrors(const Effects& effects, bool linear, std::uint64_t seed,
@@ -33,7 +33,7 @@ class AxisErrors {
   OutlierDraw outliers_;
 };
 
-/// Effects of one axis: its own, and the sensor's effects that it does not override.
+/// Effects of one axis: its own effects, and those of the sensor that it does not override.
 Effects EffectsOfAxis(const Effects& sensor, const Effects& axis);
 
 }  // namespace tera

@@ -119,12 +119,11 @@ constexpr StepAndLimit kSteps[] = {{"angle_step_deg", "angle_limit_deg"},
                                    {"travel_step_m", "travel_limit_m"},
                                    {"speed_step_mps", "speed_limit_mps"}};
 
-/// Kinds of axes in a set of encoders.
 struct Kinds {
   bool turning = false, sliding = false;
 };
 
-/// Reports parameters in units of an absent axis kind. Defaults pass, because a resolved document
+/// Reports parameters whose unit fits no axis. Default values pass, because a resolved document
 /// contains them.
 void CheckUnits(const ConfigMap& config, const Effects& effects, const Kinds& kinds) {
   for (const Effect& effect : effects) {

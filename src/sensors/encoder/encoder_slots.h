@@ -15,7 +15,8 @@ namespace tera {
 /// Errors between an encoder set's model and its reported measurement (src/sensors/README.md).
 class EncoderSlots {
  public:
-  /// `axis_effects` holds each axis's own effects, or is empty. `linear` marks the axes in metres.
+  /// `axis_effects` holds the effects of each axis; it may be empty. `linear` marks the axes in
+  /// metres.
   EncoderSlots(const Effects& effects, const std::vector<Effects>& axis_effects,
                const std::vector<bool>& linear, const std::vector<std::string>& axes,
                std::uint64_t seed, const std::string& stream_name);

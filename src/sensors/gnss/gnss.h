@@ -20,23 +20,23 @@ struct GnssModel {
   GnssFix fix = GnssFix::kRtkFixed;
 };
 
-/// Name of a fix in YAML: "none", "single", "rtk_fixed", "rtk_float".
+/// Name of a fix in YAML: "none", "single", "differential", "rtk_fixed", "rtk_float".
 std::string_view NameOf(GnssFix fix);
 
 void Serialize(ModelArchive* archive, GnssModel* model);
 
-/// One antenna with its receiver.
+/// One GNSS antenna with its receiver.
 ///
-/// Frames  W world (local east-north-up), S the antenna; `enu_m` of a sample is p_WS as measured.
-/// Model   p = p_WS + b + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
-///         The reported variance is sigma_c^2 + sigma_n^2, without the bias.
-/// Omits   satellites, masking. (Simplest forms of multipath and lost ambiguities: GnssErrors.)
-/// Source  first-order Gauss-Markov process: Gelb 1974, "Applied optimal estimation", ch. 3.
+/// Frames  W world (local east-north-up), S the antenna; `enu_m` of a sample is the measured p_WS.
+/// Model   p = p_WS + b + c_k + n_k, with c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c
+///         w_k. The reported variance is sigma_c^2 + sigma_n^2, without the bias.
+/// Omits   Satellites, masking. GnssErrors adds simple forms of multipath and of lost ambiguities.
+/// Source  First-order Gauss-Markov process: Gelb 1974, "Applied optimal estimation", ch. 3.
 class Gnss {
  public:
   Gnss(const GnssModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
        const std::string& stream_name);
-  /// Sample k with the antenna at `p_WS_m`; calls follow k = 0, 1, 2, ...
+  /// Sample k with the antenna at `p_WS_m`. Call it for k = 0, 1, 2, ...
   GnssSample Measure(std::int64_t k, const Vec3& p_WS_m, const SiteFrame& site);
 
  private:

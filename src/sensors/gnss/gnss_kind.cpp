@@ -10,8 +10,6 @@
 #include "sensors/slots/mechanism_rows.h"
 #include "sensors/slots/true_mount.h"
 
-// GNSS receiver with its antenna as a sensor kind.
-
 namespace tera {
 namespace {
 
@@ -82,7 +80,7 @@ std::vector<Mechanism> GnssMechanisms() {
   };
 }
 
-/// Reports effects that need a second antenna.
+/// Reports effects that need a second antenna, and conflicts between the two antennas.
 void CheckPair(const ConfigMap& config, const SensorDescription& antenna, const SensorList& rig) {
   const SensorDescription* other = OtherAntenna(antenna, rig);
   for (const std::string_view id : {"antenna_swap", "antenna_yaw"}) {

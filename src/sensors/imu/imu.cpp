@@ -57,7 +57,8 @@ void Imu::Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const Body
   const Span now{t0_ns, t1_ns, S0.X_WB.linear(), X_WS1.linear(), chord_mps, gravity_W_mps2};
   if (last_) {
     TERA_CHECK(last_->t1_ns == t0_ns, last_->t1_ns, t0_ns);
-    // Each chord is the velocity at the middle of its step; between the middles velocity is linear.
+    // Each mean velocity belongs to the middle of its step; between the middles, velocity is
+    // linear.
     const double s = last_->duration_s() / (last_->duration_s() + now.duration_s());
     Integrate((1 - s) * last_->chord_mps + s * chord_mps, samples);
   } else {

@@ -28,35 +28,34 @@ void Serialize(ModelArchive* archive, ImuModel* model);
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///
 /// Frames  W world, B body, S sensor at X_BS.
-/// Model   the poses of S define the motion, so that the readings agree with an adjacent camera.
-///         Over a step, w_S = log(R_0^T R_1) / dt and f_S = R_SW ((v_1 - v_0) / dt - g_W). v at a
-///         step boundary interpolates the adjacent chord velocities. The first v is the state's;
-///         the last one follows from a constant acceleration over the last step. Each sample is the
-///         mean over its own interval (t - T, t], as in a strapdown unit with internal integration.
-///         White noise sigma / sqrt(T) and a bias random walk follow. Sample k >= 1 is due at
-///         clock.Due(k).
-///
-/// The model does not use the accelerations of the state. The physics step finds the rates that
-/// carry one pose to the next, which are the rates at the middle of the step. Their change, a_WB,
-/// is therefore the acceleration at the step's beginning. Assigned to the step, it would lag by
-/// half a step (docs/evidence/accuracy.md states the cost). The chords are the same rates at S,
-/// between exact poses without interpolation or rounding, so their differences add no noise. At its
-/// own time, a_WB agrees with them to the second order in the step.
+/// Model   The poses of S define the motion, so that the readings agree with a camera at the same
+///         place. Over a step, w_S = log(R_0^T R_1) / dt and f_S = R_SW ((v_1 - v_0) / dt - g_W).
+///         At a step boundary, v is interpolated between the mean velocities of the adjacent steps.
+///         The first v is that of the state. The last v assumes constant acceleration over the last
+///         step. Each sample is the mean over its own interval (t - T, t], as in a strapdown unit
+///         with internal integration. White noise sigma / sqrt(T) and a bias random walk are added.
+///         Sample k >= 1 is due at clock.Due(k).
+///         The accelerations of the state are not used. The rates of a physics step carry one pose
+///         to the next, and so belong to the middle of the step. Their change, a_WB, belongs to the
+///         beginning of the step. If it were used for the whole step, readings would lag by half a
+///         step (docs/evidence/accuracy.md states the error). The mean velocities come from exact
+///         poses, so that their differences add no noise.
 /// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
 ///         unit) and its Coriolis acceleration; variation of gravity with position; cross-axis and
-///         g-sensitivity. (Scale, temperature, saturation, quantisation, vibration: ImuErrors.)
+///         g-sensitivity. ImuErrors adds scale, temperature, saturation, quantisation and
+///         vibration.
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
  public:
-  /// `stream_name` is the prefix of its noise streams, "excavator1/imu_boom".
+  /// `stream_name` is the prefix of its noise streams, for example "excavator1/imu_boom".
   Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
       std::uint64_t seed, const std::string& stream_name);
 
-  /// Consumes the step from `begin` at t0 to `end` at t1, the motion of body B. Appends the samples
-  /// due in the previous step, whose end velocity depends on this step. Steps must be contiguous.
+  /// Processes the step of body B from `begin` at t0 to `end` at t1. Appends the samples of the
+  /// previous step, whose final velocity depends on this step. Steps must be contiguous.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
-  /// Appends the samples of the last step, with a constant acceleration over it.
+  /// Appends the samples of the last step, assuming constant acceleration over it.
   void Finish(std::vector<ImuSample>* samples);
 
  private:

@@ -11,15 +11,15 @@ namespace tera {
 
 /// Bias of an accelerometer under vibration, `vibration_rectification`.
 ///
-/// Model   b = k (a_e^2 + s^2) for each axis. a_e is the rms of the engine's vibration; s^2 is the
-///         variance of the specific force's magnitude about its running mean. Mean and variance are
-///         weighted exponentially with the time constant `window_s`: e^(-T / window).
-/// Omits   frequency dependence; different vibration levels of the axes.
+/// Model   b = k (a_e^2 + s^2) for each axis. a_e is the rms of the engine's vibration. s^2 is the
+///         variance of the magnitude of the specific force about its running mean. Both running
+///         values are exponentially weighted with the time constant `window_s`.
+/// Omits   Frequency dependence; different vibration levels of the axes.
 /// Source  IEEE Std 1293-2018 (vibration rectification error, in g/g^2).
 class VibrationShift {
  public:
   static std::optional<VibrationShift> Of(const Effects& effects);
-  /// Bias at the next sample, with specific force `f_S_mps2`.
+  /// Bias at the next sample, whose specific force is `f_S_mps2`.
   Vec3 Next(TimeNs t_ns, const Vec3& f_S_mps2);
 
  private:
@@ -29,26 +29,27 @@ class VibrationShift {
   double mean_mps2_ = 0, variance_m2ps4_ = 0;
 };
 
-/// Slot `sensor_static` of an inertial unit.
+/// Errors `sensor_static` of an inertial unit.
 ///
-/// Model   each axis reads m x + b + c dT(t) + v + o, clipped to +-limit, rounded to a multiple of
-///         the step. x is the reading without these errors; factor m: `scale`; b: `bias`; c dT(t):
-///         `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on all
-///         axes at once with the given probability, otherwise 0; then `saturation`, `quantisation`.
-/// Omits   cross-axis sensitivity; g-sensitivity of the gyroscopes.
+/// Model   Each axis reads m x + b + c dT(t) + v + o, clipped to +-limit, rounded to a multiple of
+///         the step. x is the reading without these errors. m comes from `scale`, b from `bias`, c
+///         dT(t) from `temperature_drift`, v from `vibration_rectification`. o comes from
+///         `outliers`: N(0, size^2) on all axes at once with the given probability. `saturation`
+///         clips, `quantisation` rounds.
+/// Omits   Cross-axis sensitivity; g-sensitivity of the gyroscopes.
 /// Source  Titterton and Weston 2004, ch. 4, 6 (forms of the errors).
 class ImuErrors {
  public:
-  /// `stream_name` is "excavator1/imu_boom".
+  /// `stream_name` is for example "excavator1/imu_boom".
   ImuErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Errors of the sensing elements: scale, bias, drift, vibration. Calls follow the sample times.
+  /// Errors of the sensing elements: scale, bias, drift, vibration. Call it in the order of the
+  /// samples.
   void Sense(ImuSample* sample);
-  /// Errors of the read-out of sample `k`, downstream of a filter: outliers, saturation,
-  /// quantisation.
+  /// Errors of the read-out of sample `k`, after the filter: outliers, saturation, quantisation.
   void ReadOut(std::int64_t k, ImuSample* sample) const;
 
  private:
-  /// Errors of three like axes.
+  /// Errors of three equal axes.
   struct Triad {
     Vec3 factor, bias, drift_per_k;
     double outlier = 0, limit = 0, step = 0;  ///< limit 0: no limit

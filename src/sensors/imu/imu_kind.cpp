@@ -19,7 +19,7 @@ class ImuSampler : public SensorSampler {
   explicit ImuSampler(const SensorPlace& place)
       : ImuSampler(place, TrueMounting(place.sensor, place.rig)) {}
 
-  /// The first interval supplies the first sample.
+  /// The first sample comes at the end of the first interval.
   void SampleStart(const SensedStep&) override {}
 
   void Sample(const SensedStep& step) override {
@@ -33,7 +33,7 @@ class ImuSampler : public SensorSampler {
     }
   }
 
-  /// Completes the samples that the last step left open.
+  /// Writes the samples of the last step, which wait for its successor.
   void Finish(const SensedStep& step) override { Sample(step); }
 
  private:
@@ -93,7 +93,7 @@ std::vector<Mechanism> ImuMechanisms() {
   };
 }
 
-/// True if a link can rotate: any link of a machine on the ground, or a link beyond a rotary joint.
+/// True if a link can rotate: any link of a mobile machine, or a link beyond a rotary joint.
 bool CanTurn(const MachineModel& model, int link) {
   if (!model.fixed_base) return true;
   for (; link > 0; link = model.joints[link - 1].parent) {

@@ -11,8 +11,8 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit, rates then forces. -1 where `axis_flip` has the axis or
-/// the axis of that triad alone; of both, one undoes the other.
+/// Signs of the axes, three rates then three forces. A sign is -1 if `axis_flip` names the axis for
+/// both triads (`x`) or for its own triad (`gyro_x`). The two together cancel.
 Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects);
 
 /// Errors between an inertial unit's model and its reported measurement (src/sensors/README.md).

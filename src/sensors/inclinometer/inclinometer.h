@@ -16,7 +16,7 @@ namespace tera {
 struct InclinometerSample {
   TimeNs t_ns = 0;
   TimeNs t_available_ns = 0;
-  double tilt_rad = 0;  ///< in (-pi, pi], apart from bias and noise
+  double tilt_rad = 0;  ///< in (-pi, pi] before bias and noise
   double tilt_radps = 0;
 };
 
@@ -30,37 +30,36 @@ struct InclinometerModel {
   double bias_rad = 0, noise_rad = 0;  ///< noise: 1 sigma of each sample
   double resolution_rad = 0;           ///< 0: no quantisation
   double rate_bias_radps = 0, rate_noise_radps = 0;
-  double vibration_rms_mps2 = 0;            ///< vibration of the structure, along x and z of S each
+  double vibration_rms_mps2 = 0;            ///< vibration of the structure, on each of x and z of S
   double vibration_rectification_s2pm = 0;  ///< shift along x per squared rms
 };
 
 void Serialize(ModelArchive* archive, InclinometerModel* model);
 
-/// Target of its effects.
 inline constexpr EffectTarget kInclinometerTarget{"an inclinometer"};
 
 /// An accelerometer pair and a gyroscope that measure the tilt of a link.
 ///
 /// Frames  S sensor, x forward, y left, z up; y is the sensitive axis. The tilt is the rotation of
-///         S about y from the attitude with z up; it is positive if x points down. Without other
-///         rotation, it is the sensor's pitch.
-/// Model   f = mean specific force over the sample's interval + vibration, w = mean angular rate
-///         about y. Vibration of rms a adds a n_x + k a^2 along x and a n_z along z, n standard
-///         normal. f and w pass the same first-order low pass with time constant tau. Then
-///         tilt = atan2(-f_x, f_z) + bias + noise, rounded to the resolution, and
-///         rate = w + rate bias + rate noise. The tilt therefore lags by tau. An acceleration a_x
-///         of the link for longer than tau reads as a tilt of -atan(a_x / g).
-/// Omits   fusion of both elements, which would remove much of that error; cross-axis sensitivity;
+///         S about y from the attitude with z up, positive if x points down. Without other rotation
+///         it is the pitch of the sensor.
+/// Model   f is the mean specific force over the interval of the sample plus vibration; w is the
+///         mean angular rate about y. Vibration of rms a adds a n_x + k a^2 along x and a n_z along
+///         z, with n standard normal. f and w pass the same first-order low pass with time constant
+///         tau. Then tilt = atan2(-f_x, f_z) + bias + noise, rounded to the resolution, and rate =
+///         w + rate bias + rate noise. The tilt lags by tau. An acceleration a_x of the link for
+///         longer than tau reads as a tilt of -atan(a_x / g).
+/// Omits   Fusion of both elements, which would remove much of that error; cross-axis sensitivity;
 ///         rotation about x, except that it shortens f in the x-z plane.
 /// Source  Luczak, Oleksiuk, Bodnicki 2006, "Sensing tilt with MEMS accelerometers", IEEE Sensors
 ///         Journal 6(6) (arc tangent of two axes); Analog Devices AN-1057 (errors by acceleration);
 ///         IEEE Std 1293-2018 (vibration rectification).
 class Inclinometer {
  public:
-  /// `stream_name` is the prefix of its noise streams, "excavator1/inclinometer_boom".
+  /// `stream_name` is the prefix of its noise streams, for example "excavator1/inclinometer_boom".
   Inclinometer(const InclinometerModel& model, std::uint64_t seed, const std::string& stream_name);
-  /// Sample of one interval. `motion` is the measurement of an ideal inertial unit at S. Calls
-  /// follow the sample times.
+  /// Sample of one interval. `motion` is the measurement of an ideal inertial unit at S. Call it in
+  /// the order of the sample times.
   InclinometerSample Measure(const ImuSample& motion);
 
  private:

@@ -13,7 +13,7 @@ class InclinometerSampler : public SensorSampler {
   explicit InclinometerSampler(const SensorPlace& place)
       : InclinometerSampler(place, TrueMounting(place.sensor, place.rig)) {}
 
-  /// The first interval supplies the first sample.
+  /// The first sample comes at the end of the first interval.
   void SampleStart(const SensedStep&) override {}
 
   void Sample(const SensedStep& step) override {
@@ -28,7 +28,7 @@ class InclinometerSampler : public SensorSampler {
     }
   }
 
-  /// Completes the samples that the last step left open.
+  /// Writes the samples of the last step, which wait for its successor.
   void Finish(const SensedStep& step) override { Sample(step); }
 
  private:

@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// Length of air that one pulse of a beam covers; without a beam that of a usual one.
+/// Length of air that one pulse covers. Without a `beam` it is the length of a typical pulse.
 double PulseLength_m(const std::optional<LidarBeam>& beam);
 
 /// Effect of the air on lidar pulses: fog, rain, falling snow and dust.
@@ -24,8 +24,8 @@ double PulseLength_m(const std::optional<LidarBeam>& beam);
 ///         pulse. Fog is sampled once a pulse length. Each sample has the receiver's noise, 1 /
 ///         kThresholdToNoise of the threshold, and the strongest is the echo. A drop or flake in
 ///         the beam's cross-section A returns as pi (pi (s D)^2 / 2 S) / A, with its swollen
-///         diameter s D and lidar ratio S. Detectable ones follow a Poisson process along the ray;
-///         the nearest of each kind is an echo.
+///         diameter s D and lidar ratio S. Detectable drops and flakes follow a Poisson process
+///         along the ray; the nearest drop and the nearest flake are echoes.
 /// Omits   multiple scattering, forward-scattered light that still arrives, drops on the window.
 /// Source  the lidar equation of volume targets: Weitkamp 2005, Lidar, chapter 1; lidar ratios:
 ///         DustVolume, Rain, Snowfall; fog: FogBackscatter_1pmsr. The ratio of threshold to noise:

@@ -77,8 +77,8 @@ class Lidar {
   struct Block;
   Mat3 HeadAt(std::int64_t k, int column) const;
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
-  /// Returns of pulse i of a block, of the number `number`, in the order in which they are
-  /// reported.
+  /// Computes the returns of pulse i of a block, in the order in which the lidar reports them.
+  /// `number` is the number of the pulse in its random streams.
   void Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, Block* block) const;
   static void Pick(const std::optional<LidarBeam>& beam, std::vector<Return>* returns);
   double RangeSigma_m(double range_m, double reflectance) const;

@@ -18,12 +18,13 @@ namespace tera {
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);
 
-/// Range up to which the usual pulse returns a surface through fog, rain or falling snow.
+/// Range up to which a pulse returns a surface through fog, rain or falling snow.
 ///
 /// Model   `returned` exp(-2 a r) reaches RangeEquation::LeastSurface(r), with the extinction a of
-///         AirEchoes. Where fog itself is detected at the nearest range, half a pulse beyond
-///         `min_range_m`, a beam that reports one return reports the surface only if that is
-///         stronger, with `pick: first` never, with `last` always. More returns hold both.
+///         AirEchoes. Dense fog can itself be detected at the nearest range, half a pulse beyond
+///         `min_range_m`. A beam with one return then reports the surface only if its echo is
+///         stronger than that of the fog; with `pick: first` it never does, with `last` always. A
+///         beam with more returns reports both.
 /// Omits   dust, drops and flakes that return in place of the surface, noise of the fog's echo.
 /// Source  as Lidar and AirEchoes.
 double ReachInAir_m(const LidarModel& model, const SensedAir& air, double returned);

@@ -21,8 +21,8 @@ struct Echo {
 /// Model   each echo adds a Gaussian pulse at its range with the full width `pulse_m` at half
 ///         power, c / 2 of the pulse's duration. The local maxima of the sum are the peaks, with
 ///         their range and power. Surfaces within a pulse share a peak between them (mixed pixel):
-///         two equal ones part at 2 sigma, 0.85 `pulse_m`. A peak belongs to the echo with the
-///         largest contribution.
+///         two equal echoes have separate peaks if they are at least 2 sigma apart, which is 0.85
+///         `pulse_m`. A peak belongs to the echo with the largest contribution.
 /// Omits   the receiver's own width, ringing, saturation.
 /// Source  Wagner et al. 2006, as RangeEquation; the separation of equal Gaussians: Behboodian
 ///         1970, "On the modes of a mixture of two normal distributions", Technometrics 12.

@@ -24,15 +24,15 @@ struct LidarBeam {
 
 void Serialize(ModelArchive* archive, LidarBeam* beam);
 
-/// Power of a lidar's echoes and the weakest that it detects, in clear air.
+/// Power of a lidar's echoes, and the least power that it detects, in clear air.
 ///
 /// Model   a diffuse surface of reflectance rho returns P = rho cos(theta) O(r) / r^2 relative to a
 ///         head-on white surface at 1 m. A point at range r is out of focus, and its light spreads
 ///         over d + D r, the beam's diameter there, instead of D r: O = (D r / (d + D r))^2, with
 ///         the aperture d and the divergence D. Then P = rho cos(theta) / (r + d / D)^2. A return
 ///         needs the power of a 10 % target at its range in the data sheet. Beyond that range the
-///         needed reflectance grows as the power of r that meets the 80 % target at its own range.
-///         Without `beam` a surface has O = 1.
+///         required reflectance is a power law of r. It passes through the 80 % target at its range
+///         in the data sheet. Without `beam` a surface has O = 1.
 /// Omits   separate axes of beam and receiver.
 /// Source  the radar equation for a target that fills the beam and scatters diffusely, as in Wagner
 ///         et al. 2006, "Gaussian decomposition and calibration of a novel small-footprint
@@ -42,20 +42,21 @@ class RangeEquation {
  public:
   explicit RangeEquation(const LidarModel& model);
 
-  /// False if the data sheet states no range: then every surface is detected, and no air.
+  /// False if the data sheet states no range. Then every surface is detected, and fog, rain and
+  /// snow never are.
   bool limits() const { return dark_range_m_ > 0; }
-  /// Least reflectance of a detected surface across the beam at that range.
+  /// Least reflectance at which a surface perpendicular to the beam is detected at this range.
   double LeastSurface(double range_m) const { return Least(range_m, surface_near_m_); }
   /// The same of matter in the air.
   double LeastAir(double range_m) const { return Least(range_m, near_m_); }
   /// Range up to which a surface of that reflectance is detected; infinite without a limit.
   double Reach_m(double reflectance) const;
-  /// Power of a surface of that reflectance across the beam.
+  /// Power from a surface of this reflectance perpendicular to the beam.
   double Power(double reflectance, double range_m) const {
     const double r_m = range_m + near_m_;
     return reflectance / (r_m * r_m);
   }
-  /// Reflectance of a surface across the beam with that power.
+  /// Reflectance of a surface perpendicular to the beam that returns this power.
   double Reflectance(double power, double range_m) const {
     const double r_m = range_m + near_m_;
     return power * r_m * r_m;

@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// Parameters of one quantity's quantisation and saturation.
+/// Parameters of quantisation and saturation of one quantity.
 struct StepAndLimit {
   std::string_view step, limit;
 };
 
-/// Reports quantisation steps above the saturation limit: clipped values would round to zero or
-/// beyond the limit. The fault refers to the parameter that `config` contains.
+/// Reports quantisation steps above the saturation limit, which leave no value in between. The
+/// fault goes to the parameter that `config` contains.
 void CheckSteps(const ConfigMap& config, const Effects& effects,
                 std::span<const StepAndLimit> quantities);
 

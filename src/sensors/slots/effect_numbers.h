@@ -5,7 +5,7 @@
 #include "core/motion.h"
 #include "core/types/effects.h"
 
-/// Mechanism parameters, with the ideal value for a target without the mechanism.
+/// Parameters of a mechanism; `ideal` for a target without the mechanism.
 
 namespace tera {
 

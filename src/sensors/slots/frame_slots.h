@@ -15,7 +15,7 @@ namespace tera {
 class FrameSlots {
  public:
   FrameSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Time stamps of measurement `k`, valid at `t_ns`; a single call per measurement, in order.
+  /// Time stamps of measurement `k`, taken at `t_ns`. Call it once per measurement, in order.
   ReportClock::Times Stamp(std::int64_t k, TimeNs t_ns);
   void Apply(std::int64_t k, const ReportClock::Times& times, LidarScan* scan) const;
   void Apply(std::int64_t k, const ReportClock::Times& times, CameraFrame* frame) const;

@@ -12,17 +12,17 @@ namespace tera {
 
 using EffectParameters = std::vector<EffectParameter>;
 
-/// Parameters with a common range and the ideal value `otherwise`.
+/// Parameters with common unit, range and ideal value `otherwise`.
 EffectParameters Alike(const std::vector<std::string_view>& names, std::string_view unit,
                        double lower, double upper, double otherwise);
 
 EffectParameters Joined(std::initializer_list<EffectParameters> parts);
 
-/// Translation and rotation between the true and the documented mounting.
+/// Parameters of the translation and rotation from the documented to the true mounting.
 EffectParameters ShiftParameters();
 EffectParameters TurnParameters();
 
-/// Warm-up of a sensor, `temperature_drift`.
+/// Parameters of the warm-up of a sensor, `temperature_drift`.
 EffectParameters WarmUpParameters();
 
 /// Probability of an outlier, `outliers`.

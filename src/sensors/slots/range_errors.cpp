@@ -6,12 +6,12 @@
 namespace tera {
 namespace {
 
-/// Bits for a point's or pixel's index within one measurement.
+/// Bits for the index of a point or pixel within one measurement.
 constexpr int kIndexBits = 32;
 
 std::uint64_t FirstIndex(std::int64_t k) { return static_cast<std::uint64_t>(k) << kIndexBits; }
 
-/// Parameter of `id`, named `depth` for kinds that measure along an axis (cameras), otherwise
+/// Parameter of mechanism `id`: `depth` for kinds that measure along an axis (cameras), else
 /// `range`.
 double Either(const Effects& effects, std::string_view id, std::string_view range,
               std::string_view depth, double ideal) {

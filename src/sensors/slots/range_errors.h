@@ -8,25 +8,25 @@
 
 namespace tera {
 
-/// Effect of `scale` and `range_bias` on a true distance r of a lidar or depth camera:
-/// factor r + bias_m.
+/// Effect of `scale` and `range_bias` on a true distance r of a lidar or depth camera: factor r +
+/// bias_m.
 struct RangeScaling {
   double factor = 1;
   double bias_m = 0;
 };
 RangeScaling RangeScalingOf(const Effects& effects);
 
-/// Slot `sensor_static` of distance sensors: a lidar's ranges, a camera's depths.
+/// Errors `sensor_static` of distance sensors: ranges of a lidar, depths of a camera.
 ///
-/// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m: `scale`; b: `range_bias`; c
-///         dT(t): `temperature_drift` (lidar); o: `outliers`, N(0, size^2) for each point or pixel
-///         with the given probability; `quantisation`. A point keeps its direction. A result at or
-///         below zero is no measurement.
-/// Omits   errors of one beam or image region; colour.
+/// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m comes from `scale`, b from
+///         `range_bias`, c dT(t) from `temperature_drift` (lidar). o comes from `outliers`: N(0,
+///         size^2) for each point or pixel with the given probability. `quantisation` rounds. A
+///         point keeps its direction. A result of zero or less removes the measurement.
+/// Omits   Errors of single beams or image regions; colour.
 class RangeErrors {
  public:
   RangeErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Applies the errors to scan or frame `k` of the sensor.
+  /// Applies the errors to scan or frame `k`.
   void Apply(std::int64_t k, LidarScan* scan) const;
   void Apply(std::int64_t k, CameraFrame* frame) const;
 

@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// Offset of a sensor's time stamps from true time by `clock_offset`; positive is ahead.
+/// Offset of the sensor's clock, `clock_offset`; positive is ahead of true time.
 double ClockOffset_s(const Effects& effects);
 
 /// Slot `sensor_timing`: time stamps of a sensor's measurements.
 ///
-/// Model   t + offset + ppm 1e-6 t + d: `clock_offset`, `clock_drift` (t since the start), and
-///         `latency` d = delay + Exp(jitter), for measurements stamped on arrival. Measurements
-///         keep their order: a measurement that would overtake arrives a nanosecond after its
-///         predecessor. The sampling times do not change.
-/// Omits   effect of clock drift on the sensor's rate; steps of a clock that is set.
+/// Model   t + offset + ppm 1e-6 t + d. The terms come from `clock_offset`, `clock_drift` (t since
+///         the start), and `latency` with d = delay + Exp(jitter), for measurements stamped on
+///         arrival. The order of measurements is kept: one that would overtake its predecessor gets
+///         a time one nanosecond later. The sampling times do not change.
+/// Omits   Effect of clock drift on the sensor's rate; steps of a clock that is set.
 /// Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS Bulletin
 ///         C 52).
 class ReportClock {
@@ -28,9 +28,9 @@ class ReportClock {
     TimeNs t_ns = 0;     ///< time stamp
     TimeNs late_ns = 0;  ///< additional delay of availability
   };
-  /// Times of measurement `k`, valid at `t_ns`; calls follow the sample times.
+  /// Times of measurement `k`, taken at `t_ns`. Call it in the order of the sample times.
   Times Next(std::int64_t k, TimeNs t_ns);
-  /// Duration `d_ns` as this clock measures it.
+  /// Duration `d_ns` as this clock counts it.
   TimeNs Duration(TimeNs d_ns) const;
 
  private:

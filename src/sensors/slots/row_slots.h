@@ -10,8 +10,8 @@
 
 namespace tera {
 
-/// Errors between a sensor's model and its reported row, for a kind with only the common effects of
-/// row sensors: filter and clock.
+/// Errors between a sensor's model and its reported row, for a kind with only the common effects:
+/// filter and clock.
 class RowSlots {
  public:
   RowSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);

@@ -8,16 +8,16 @@
 #include "core/types/effects.h"
 #include "sensors/slots/effect_numbers.h"
 
-/// Static errors common to several sensors. Each is exactly ideal without its mechanism.
+/// Static errors common to several sensors. Without its mechanism, an error is exactly zero.
 
 namespace tera {
 
-/// Nearest multiple of `step`; 0: unchanged.
+/// Nearest multiple of `step`; a step of 0 leaves the value unchanged.
 inline double Quantised(double value, double step) {
   return step > 0 ? step * std::round(value / step) : value;
 }
 
-/// Temperature difference of a sensor from its calibration, `temperature_drift`.
+/// Temperature of a sensor above that of its calibration, `temperature_drift`.
 struct WarmUp {
   double warm_up_k = 0, time_constant_s = 1;
 
@@ -30,18 +30,18 @@ struct WarmUp {
   }
 };
 
-/// Outlier selection, `outliers`: independent, with constant probability per measurement.
+/// Selection of outliers, `outliers`: independent, with constant probability per measurement.
 class OutlierDraw {
  public:
   OutlierDraw(const Effects& effects, std::uint64_t seed, const std::string& stream_name)
       : stream_(seed, stream_name + "/outliers"),
         probability_(NumberOf(effects, "outliers", "probability", 0)) {}
 
-  /// True if the measurement of that index is an outlier.
+  /// True if the measurement with this index is an outlier.
   bool At(std::uint64_t index) const {
     return probability_ > 0 && stream_.Uniform(index) < probability_;
   }
-  /// Standard normal errors; lane 0 belongs to the selection.
+  /// Standard normal errors. Lane 0 is used by the selection.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 1) const {
     return stream_.Gaussian(index, lane);
   }

@@ -3,7 +3,7 @@
 #include "core/motion.h"
 #include "core/types/effects.h"
 
-/// Slot `sensor_geometry`: true mounting of a sensor, in contrast to sensor.yaml.
+/// Slot `sensor_geometry`: the true mounting of a sensor, which sensor.yaml does not show.
 
 namespace tera {
 

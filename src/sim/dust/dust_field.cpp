@@ -11,11 +11,13 @@ namespace {
 
 constexpr double kVonKarman = 0.4;
 constexpr double kRoughness_m = 0.005;
-constexpr double kTrace_kg = 1e-12;  ///< smaller masses do not spread into the next cell
-constexpr double kMostMoved = 0.8;   ///< largest share of a cell that a step may take
+/// A layer with less in every cell does not spread to the next layer.
+constexpr double kTrace_kg = 1e-12;
+constexpr double kMostMoved = 0.8;  ///< largest share of a cell's content that a step may move
 constexpr std::array<double, kDustSizes> kAerodynamic_m = {1e-6, 5e-6, 17.3e-6};
 
-/// Limited slope at a face: the mean of the upwind slope and its own, at most twice either.
+/// Slope at a face, limited: the mean of the upwind slope and the face's own slope, but at most
+/// twice either; 0 if their signs differ.
 double LimitedSlope(double upwind, double here) {
   if (upwind * here <= 0) return 0;
   const double mean = 0.5 * (upwind + here);
@@ -73,7 +75,8 @@ void DustField::Emit(const Vec3& centre_W_m, double radius_m, const DustMass& ma
   const Vec3 at((centre_W_m.x() - grid_.origin_W_m.x()) / cell_m - 0.5,
                 (centre_W_m.y() - grid_.origin_W_m.y()) / cell_m - 0.5,
                 grid_.HeightAbove(centre_W_m) / cell_m - 0.5);
-  const double radius = std::max(radius_m / cell_m, 1.0);  // no cell's middle is farther than 0.87
+  // At least one cell centre lies within the ball.
+  const double radius = std::max(radius_m / cell_m, 1.0);
   const Eigen::Vector3i low = (at.array() - radius).ceil().cast<int>();
   const Eigen::Vector3i high = (at.array() + radius).floor().cast<int>();
   struct Share {
@@ -113,7 +116,7 @@ void DustField::Emit(const Vec3& centre_W_m, double radius_m, const DustMass& ma
   }
 }
 
-/// Moves mass along a row; cells outside `from` and `to` have no dust.
+/// Transports mass along a row. Cells outside [from, to) contain no dust.
 void DustField::Carry(double dt_s, const Row& row, std::vector<double>* cells_kg) {
   double* c = cells_kg->data() + row.first;
   const auto at = [&](int i) { return c[static_cast<std::size_t>(i) * row.stride]; };
@@ -122,7 +125,7 @@ void DustField::Carry(double dt_s, const Row& row, std::vector<double>* cells_kg
   const int n = row.to - row.from;
   flux_.assign(static_cast<std::size_t>(n) + 1, 0.0);
   const auto within = [&](int i) { return i >= row.from && i < row.to ? at(i) : 0.0; };
-  for (int f = 0; f <= n; ++f) {  // between cells i - 1 and i
+  for (int f = 0; f <= n; ++f) {  // face between cells i - 1 and i
     const int i = row.from + f;
     const double below = within(i - 1), above = within(i);
     const bool is_inner = f > 0 && f < n;
@@ -146,7 +149,7 @@ void DustField::Carry(double dt_s, const Row& row, std::vector<double>* cells_kg
   }
 }
 
-/// Whether a layer of the reach across an axis has more than traces of dust.
+/// Whether a layer of the reach, perpendicular to the axis, contains more than traces of dust.
 bool DustField::HasDust(int axis, int layer) const {
   std::array<int, 3> low = reach_.low, high = reach_.high;
   low[axis] = layer;
@@ -164,7 +167,8 @@ bool DustField::HasDust(int axis, int layer) const {
   return false;
 }
 
-/// Extends the reach by one cell on both sides, the range of a step.
+/// Extends the reach by one cell at both ends if the outer layers contain dust. Dust moves at most
+/// one cell per step.
 void DustField::Grow(int axis) {
   const std::array<int, 3> end = {grid_.nx, grid_.ny, grid_.nz};
   int &low = reach_.low[axis], &high = reach_.high[axis];

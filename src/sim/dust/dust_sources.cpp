@@ -12,12 +12,13 @@ namespace {
 
 constexpr double kTonne_kg = 1000;
 constexpr double kCutBall_m = 0.6, kGearBall_m = 0.7;
-// Falling soil pushes air outwards along the ground, so the ball grows with the fall.
+// Falling soil pushes air outwards along the ground. The ball therefore grows with the height of
+// the fall.
 constexpr double kFallBall_m = 0.5, kFallBallGrows = 0.35;
-constexpr double kGearRise_m = 0.25;  ///< height of the ball's middle behind a track
-constexpr double kLeastFall_m = 0.1;  ///< a clod with a shorter fall raises no dust
+constexpr double kGearRise_m = 0.25;  ///< height of the ball's centre above a gear's trailing end
+constexpr double kLeastFall_m = 0.1;  ///< clods with a shorter fall emit no dust
 constexpr double kMostStep_m = 1.0;   ///< largest motion of a clod between two calls
-constexpr std::uint8_t kLoose = 128;  ///< least looseness of a cover
+constexpr std::uint8_t kLoose = 128;  ///< looseness from which ground counts as loose
 constexpr double kGramsPerKg = 1000;
 
 DustMass Times(const DustMass& mass, double factor) {
@@ -26,8 +27,8 @@ DustMass Times(const DustMass& mass, double factor) {
   return product;
 }
 
-/// The trailing end of a gear on the ground: among its downward patches, the farthest along the
-/// surface's travel.
+/// The trailing end of a running gear on the ground: of the patches that face down, the rearmost in
+/// the driving direction.
 Vec3 TrailingEnd(const RunningGear& gear, double rate_radps) {
   Vec3 end_B_m = gear.patches.front().p_B_m;
   double farthest = -std::numeric_limits<double>::infinity();
@@ -110,7 +111,8 @@ void DustSources::AddFalls(const TerrainSurface& ground, std::vector<DustPuff>* 
   std::multimap<std::uint16_t, Fall> now;
   for (const TerrainSurface::Grain& grain : ground.grains()) {
     Fall fall{grain.p_W_m, grain.p_W_m.z(), grain.radius_m, grain.soil, grain.moisture};
-    // The nearest clod of that number is the same clod, since beds show clods with numbers too.
+    // Several clods may have the same number, because the clods shown in beds have numbers too. The
+    // nearest clod with this number is the same one.
     auto same = falls_.end();
     float nearest_m = kMostStep_m;
     const auto [first, last] = falls_.equal_range(grain.number);
@@ -140,7 +142,8 @@ void DustSources::AddFalls(const TerrainSurface& ground, std::vector<DustPuff>* 
   falls_ = std::move(now);
 }
 
-/// Loose dry ground of a tile. An increase since the last call was disturbed.
+/// Sums the loose ground of a tile, weighted by its dryness. An increase since the last call counts
+/// as newly disturbed.
 void DustSources::FindLoose(const TerrainSurface& ground, int a, int b) {
   constexpr int kCells = TerrainGrid::kTileCells;
   const double vertex_m2 = ground.cell_m * ground.cell_m;

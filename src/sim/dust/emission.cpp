@@ -13,7 +13,7 @@ constexpr double kWaterDensity_kgpm3 = 1000;
 constexpr double kAirViscosity_pas = 1.81e-5;  // at 15 C
 constexpr double kKarman = 0.4;
 
-/// Mass by size from the masses below 2.5, 10 and 30 um.
+/// Mass in each size class from the masses below 2.5, 10 and 30 um.
 DustMass BySize(double pm2_5, double pm10, double pm30) {
   return {pm2_5, pm10 - pm2_5, pm30 - pm10};
 }

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEddyHeight_m = 2;  ///< height of the wind that carries the eddies
+constexpr double kEddyHeight_m = 2;  ///< height at which the wind carries the eddies
 constexpr double kAlong = 2.4, kAcross = 1.9;
 
 DustGrid GridOf(const Scenario& scenario, const Instant& start, const TerrainSurface& ground) {
@@ -44,7 +44,7 @@ DustVolume VolumeOf(const DustGrid& grid) {
   return volume;
 }
 
-/// The box of the cells with dust, and the pits below them.
+/// Bounding box of the cells with dust, and of the pits below them.
 Eigen::AlignedBox3d BoxOf(const DustGrid& grid, const DustField::Reach& reach) {
   constexpr double kPit_m = 5;
   Eigen::AlignedBox3d box;

@@ -10,15 +10,16 @@
 
 namespace tera {
 
-/// The dust of a scenario: one field, raised by the work and shared by all sensors. It depends only
-/// on the motion and the ground, so a playback of the scene has the same dust.
+/// Airborne dust of a scenario: one field, raised by the work and seen by all sensors. It depends
+/// only on the motion and the ground, so a playback of the scene reproduces it.
 ///
 /// Frames  W.
-/// Model   a square of air about the machines' middle at the start, above the ground at that time.
-///         DustSources emits, scaled by `emission_factor`; DustField transports in steps of
-///         kStep_ns. Gusts are an Ornstein-Uhlenbeck process along and across the wind with the
-///         time constant kGust_s. Their standard deviations are 2.4 and 1.9 times the friction
-///         velocity. DustEddies adds whirls below the cell size for the light.
+/// Model   a square of air around the machines' mean position at the start, above the ground at
+///         that time. DustSources emits, scaled by `emission_factor`. DustField transports, in
+///         steps of kStep_ns.
+///         Gusts are Ornstein-Uhlenbeck processes along and across the wind with the time constant
+///         kGust_s. Their standard deviations are 2.4 and 1.9 times the friction velocity.
+///         DustEddies adds fluctuations below the cell size to the optical field.
 /// Source  Panofsky and Dutton 1984, Atmospheric Turbulence, section 7.4 (standard deviations in
 ///         the neutral surface layer).
 class SiteDust {
@@ -28,10 +29,10 @@ class SiteDust {
 
   /// Keeps a reference to `scenario`, which must have dust.
   SiteDust(const Scenario& scenario, const Instant& start, const TerrainSurface& ground);
-  /// Advances by a step of the physics.
+  /// Advances by one physics step.
   void Step(const WorldStep& step);
 
-  /// The optical field after the last of its own steps.
+  /// The optical field after the last step of kStep_ns.
   const DustVolume& volume() const;
   const DustField& field() const { return field_; }
 

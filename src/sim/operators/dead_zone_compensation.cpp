@@ -6,9 +6,10 @@
 namespace tera {
 namespace {
 
-/// A joint that does not follow beyond this lever is held by its load, not by a dead zone.
+/// From this lever on, a joint that does not follow is held by its load, not by a dead zone.
 constexpr double kLargestAdaptingLever = 0.5;
-constexpr double kLargestWidth = 0.5;  // lever share; a valve with a wider dead zone is broken
+// Share of full lever; a valve with a wider dead zone counts as broken.
+constexpr double kLargestWidth = 0.5;
 
 }  // namespace
 

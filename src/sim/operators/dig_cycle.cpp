@@ -13,30 +13,37 @@ namespace {
 using namespace dig;
 
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
-constexpr double kTrackRate_1ps = 1.5;  // a careful hand on the tracks
+constexpr double kTrackRate_1ps = 1.5;  // the hand is slower on the tracks
 constexpr double kTipTolerance_m = 0.12;
-constexpr double kGiveUpLean_rad = 10 * kDeg;  // more than before, at which a cut in a trench ends
-constexpr double kSinkAgain_mps = 0.1;         // of a cut in a trench that is no longer held
-constexpr double kEntryTolerance_m = 0.06;     // in a trench
+// A cut in a trench ends if the machine tilts by more than this during it.
+constexpr double kGiveUpLean_rad = 10 * kDeg;
+// A raised cut in a trench sinks back at this speed once the tip moves freely.
+constexpr double kSinkAgain_mps = 0.1;
+constexpr double kEntryTolerance_m = 0.06;  // for the entry into a trench
 constexpr double kAngleTolerance_rad = 6 * kDeg;
-constexpr double kSlewAtRest_radps = 5 * kDeg;  // below this rate it may lower or dump
-constexpr double kSwingHeight = 0.6;            // share of the dump height from which it may slew
-constexpr double kCutLag_m = 0.15;              // lag of the tip beyond which the target waits
-constexpr double kStallLift_mps = 0.15;         // rise rate of a stalled cut
-constexpr double kFullShare = 0.9;              // share of the struck capacity of a full bucket
-constexpr double kCutPatience = 1.6;            // times the undisturbed duration of the cut
-constexpr double kDumpedShare = 0.05;           // share of the load at the start of the dump
-// Shares of the cut's length: descent at its start, ascent at its end.
+constexpr double kSlewAtRest_radps = 5 * kDeg;  // slew rate below which it may lower or dump
+constexpr double kSwingHeight = 0.6;     // share of the dump height from which the slew may begin
+constexpr double kCutLag_m = 0.15;       // lag of the tip beyond which the target stops
+constexpr double kStallLift_mps = 0.15;  // speed at which the target of a stalled cut rises
+// Share of the struck capacity at which the bucket counts as full.
+constexpr double kFullShare = 0.9;
+// Maximum duration of the cut, over its duration without resistance.
+constexpr double kCutPatience = 1.6;
+// Share of the initial load below which the bucket counts as empty.
+constexpr double kDumpedShare = 0.05;
+// Shares of the cut's length for the descent at its start and the ascent at its end.
 constexpr double kRampIn = 0.35, kRampOut = 0.2;
-constexpr double kRampEnd = 0.3;  // share of the ascent at which the cut ends, still in the ground
+// Share of the ascent at which the cut ends, with the tip still in the ground.
+constexpr double kRampEnd = 0.3;
 constexpr int kGroundSamples = 24;
-// Step and largest number of steps that pull an unreachable target inwards.
+// Step and maximum number of steps by which an unreachable target moves inwards.
 constexpr double kDrawIn_m = 0.05;
 constexpr int kDrawIns = 60;
-// Curling takes this long and pulls the tip in and up by these bucket lengths. Otherwise the
-// bucket's back would turn into the ground.
+// Duration of the curl, and the motion of the tip inwards and upwards during it, in bucket lengths.
+// Without this motion the back of the bucket would turn into the ground.
 constexpr double kCurl_s = 1.3;
-constexpr double kCurlLead = 0.12;  // share of the turn by which the target leads the bucket
+// Share of the turn by which the target leads the bucket's angle.
+constexpr double kCurlLead = 0.12;
 constexpr double kCurlDrag = 0.19, kCurlLift = 0.71;
 
 double Smooth(double s) {
@@ -123,7 +130,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
 }
 
 double DigCycle::SlewLever(const OperatorView& view, double target_rad) const {
-  // In a trench the walls hold the bucket: a slew would turn the machine instead.
+  // In a trench the walls hold the bucket, so the slew would turn the machine instead.
   const bool is_between_walls =
       trench_ && (phase_ == Phase::kCut || phase_ == Phase::kCurl || phase_ == Phase::kLift);
   if (is_between_walls) return 0;
@@ -189,7 +196,7 @@ void DigCycle::Advance(const OperatorView& view) {
         Enter(Phase::kCut, view);
       break;
     case Phase::kCut:
-      // A tip that has run ahead, towards the machine, is not held back.
+      // A tip that is ahead of its target, towards the machine, is not held back.
       AdvanceCut(view, trench_
                            ? IsHeldBack(view, tip, target.tip)
                            : tip.r_m > target.tip.r_m && TipError_m(tip, target.tip) >= kCutLag_m);
@@ -292,13 +299,13 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
     case Phase::kReturn:
       return {{dump.r_m, carry.z_m, kDumpPitch_rad}, dig.slew_rad};
     case Phase::kMove:
-      break;  // only to a trench's stands
+      break;  // occurs only with a trench
   }
   return {};
 }
 
 PlanarArm::Tip DigCycle::CurlTip(const OperatorView& view, double drag) const {
-  // The tip waits for a late bucket; the arm would otherwise spill the load.
+  // The target waits for a slow bucket. Otherwise the arm would spill the load.
   const double turned = (TipNow(view.state).pitch_rad - phase_tip_.pitch_rad) /
                         (kCarryPitch_rad - phase_tip_.pitch_rad);
   const double s = std::min(Smooth(PhaseTime_s(view) / kCurl_s), std::max(turned, 0.0) + kCurlLead);
@@ -321,7 +328,7 @@ PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
 double DigCycle::GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const {
   const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
   const Vec3 p_W = SlewFrame(view) * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
-  // The plane is nearly vertical: a height difference in W equals one along the plane's z.
+  // The plane is nearly vertical, so a height difference in W equals one along z of the plane.
   return view.ground.HeightAt(p_W.x(), p_W.y()) - p_W.z();
 }
 

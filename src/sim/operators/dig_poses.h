@@ -2,20 +2,23 @@
 
 #include "core/units.h"
 
-/// Poses of the bucket that digging has in common, whether in one place or along a trench.
+/// Bucket poses that all kinds of digging share.
 
 namespace tera::dig {
 
-inline constexpr double kClearance = 0.58;     // bucket lengths above the ground before lowering
-inline constexpr double kCarryInside_m = 1.6;  // radius of the carried load, less than at the dump
-inline constexpr double kCarryAbove_m = 0.2;   // height of the carried load, more than at the dump
-// Pitches of the tip direction.
+// Height above the ground before lowering, in bucket lengths.
+inline constexpr double kClearance = 0.58;
+// the carried load is nearer to the slew axis than the dump place, by this
+inline constexpr double kCarryInside_m = 1.6;
+// the carried load is higher than the dump place, by this
+inline constexpr double kCarryAbove_m = 0.2;
+// Pitch of the direction from the bucket's pin to its tip.
 inline constexpr double kEntryPitch_rad = -75 * kDeg;
 inline constexpr double kCutEndPitch_rad = -112 * kDeg;
 inline constexpr double kCarryPitch_rad = -188 * kDeg;
 inline constexpr double kDumpPitch_rad = -60 * kDeg;
 
-/// Length of a cut along a trench that the teeth spend on going down to its depth in one place.
+/// Travel that a cut in a trench spends on sinking to its depth before it moves inwards.
 inline constexpr double kPlunge_m = 0.25;
 
 inline double Mix(double a, double b, double s) { return a + (b - a) * s; }

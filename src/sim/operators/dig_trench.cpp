@@ -5,35 +5,38 @@
 #include "sim/operators/dig_cycle.h"
 #include "sim/operators/dig_poses.h"
 
-// The digging operator along a trench.
+// The part of DigCycle that digs along a trench.
 
 namespace tera {
 namespace {
 
 using namespace dig;
 
-constexpr double kOverRim = 0.75;         // bucket lengths of the tip above the rim: its back hangs
-constexpr double kUprightCurlDrag = 0.1;  // bucket lengths inwards while curling in a trench
-constexpr double kLift_mps = 0.7;         // of the tip, upright out of a trench
-constexpr double kLoadShare = 0.95;       // of the bucket's capacity, for the length of a cut
-// Pulls in a row that bring less than this share of the bucket's capacity: it cannot get the rest.
+// Height of the tip above the rim, in bucket lengths; the bucket's back hangs below the tip.
+constexpr double kOverRim = 0.75;
+// Motion of the tip inwards during the curl in a trench, in bucket lengths.
+constexpr double kUprightCurlDrag = 0.1;
+constexpr double kLift_mps = 0.7;    // speed of the upright lift out of a trench
+constexpr double kLoadShare = 0.95;  // share of the bucket's capacity that a cut is planned to take
+// After kMostEmptyPulls consecutive pulls with less than this share of the bucket's capacity, the
+// remaining soil counts as out of reach.
 constexpr double kEmptyShare = 0.06;
 constexpr int kMostEmptyPulls = 3;
 constexpr double kHeapSteps_rad[] = {0, 15 * kDeg, -15 * kDeg};
-// Driving along the line.
+// Driving along the trench's line:
 constexpr double kArrived_m = 0.04, kStandsStill_mps = 0.01;
 constexpr double kFastestDrive_mps = 0.4, kSlowestDrive_mps = 0.08, kEase_1ps = 1.0;
 constexpr double kStandsStill_radps = 0.01;
 constexpr double kStraight_rad = 2 * kDeg, kTurnFirst_rad = 12 * kDeg;
 constexpr double kMostTowards_rad = 10 * kDeg;
 constexpr double kLongestMove_s = 40;
-// It drives to its stand again when it has been pulled farther or turned more than this.
+// If pulls have moved or turned the machine by more than this, it drives to its stand again.
 constexpr double kMostTurned_rad = 6 * kDeg, kMostDrift_m = 0.25;
-// A cut waits and rises when its tip lags by so much, or has been pulled below its line, or when
-// the machine leans so much more than before. At more lean it ends.
+// A cut stops and rises if the tip lags by kHeldBack_m, lies kPulledIn_m below its line, or the
+// machine tilts by kEaseLean_rad. At kGiveUpLean_rad the cut ends.
 constexpr double kHeldBack_m = 0.15, kPulledIn_m = 0.1;
 constexpr double kEaseLean_rad = 6 * kDeg;
-// The blade in the ground.
+// The blade as an anchor:
 constexpr double kAnchor_m = 0.08, kBladeTolerance_rad = 3 * kDeg;
 constexpr int kBladeSteps = 50;
 constexpr double kTowardsLine_radpm = 0.6, kTurn_1ps = 1.2, kMostYaw_radps = 0.25;
@@ -102,7 +105,8 @@ DigCycle::Target DigCycle::TrenchTarget(const OperatorView& view) const {
 }
 
 DigCycle::Target DigCycle::Entry(const OperatorView& view, double z_W_m) const {
-  // The slew stands still during the cut: the arm's plane meets the line in the cut's middle.
+  // The slew does not move during the cut. The arm's plane meets the trench's line at the middle of
+  // the cut.
   const double middle_m = cut_.reach_m - 0.5 * cut_.length_m;
   return {InPlane(view, OnLine(view, cut_.reach_m, z_W_m), kEntryPitch_rad).tip,
           InPlane(view, OnLine(view, middle_m, z_W_m), kEntryPitch_rad).slew_rad};
@@ -138,7 +142,8 @@ DigCycle::Target DigCycle::LiftTarget(const OperatorView& view) const {
 bool DigCycle::IsLifted(const OperatorView& view, const PlanarArm::Tip& tip) const {
   const double over_rim_m =
       InPlane(view, OnLine(view, tip.r_m, rim_m_), 0).tip.z_m + kOverRim * arm_.bucket_length_m();
-  // Patience begins where the target's rise ends: a slew from below would press on the walls.
+  // The time limit counts from the end of the planned lift. A slew below the rim would press the
+  // bucket against the walls.
   const double rise_s = (LiftEnd_m(view) - phase_tip_.z_m) / kLift_mps;
   return tip.z_m > over_rim_m || PhaseTime_s(view) > std::max(rise_s, 0.0) + plan_.patience_s;
 }

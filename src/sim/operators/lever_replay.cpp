@@ -11,9 +11,10 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFirstRowLine = 2;  ///< line in the file, below its header
+/// Line number of the first row in the file, below the header.
+constexpr std::size_t kFirstRowLine = 2;
 
-/// Columns of `file`; none after a reported fault.
+/// Column names of `file`. Empty after a fault, which is reported.
 std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem::path& file) {
   if (file.empty()) return {};
   try {
@@ -24,7 +25,7 @@ std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem
   }
 }
 
-/// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`. An
+/// Reads the time column (seconds, or nanoseconds if its name ends in _ns) and `columns`. An
 /// unusable file is a fault of `config` and gives an empty table.
 CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& file,
                           const std::string& time_column, std::vector<std::string> columns) {
@@ -51,10 +52,10 @@ CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& 
   return table;
 }
 
-/// Tolerance for the file's rounding beyond full lever.
+/// Allowed excess over full lever, for rounding in the file.
 constexpr double kLeverRounding = 1e-9;
 
-/// Reports the first lever beyond its stops and clamps rounding errors.
+/// Reports the first lever beyond +-1. Clamps rounding errors.
 void CheckLevers(const ConfigMap& config, const std::filesystem::path& file,
                  const std::vector<std::string>& columns, CommandTable* table) {
   for (std::size_t r = 0; r < table->rows.size(); ++r) {
@@ -104,7 +105,7 @@ LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& mod
   std::vector<std::string> columns;
   std::vector<int> levers;
   std::vector<std::string> header = HeaderOf(config, file);
-  // Without the time column, whose fault is reported, the other columns have no known meaning.
+  // Without a time column, which is reported as a fault, the other columns are not read.
   if (std::find(header.begin(), header.end(), time_column) == header.end()) header.clear();
   for (const std::string& name : header) {
     if (name == time_column) continue;

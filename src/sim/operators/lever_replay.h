@@ -10,23 +10,22 @@
 
 namespace tera {
 
-/// Commands over time, each held until the next (zero-order hold), the last until the end; neutral
-/// until the first.
+/// Commands over time. A row holds until the next one, the last row without end. Before the first
+/// row, commands are neutral.
 struct CommandTable {
   std::vector<TimeNs> t_ns;
   std::vector<std::vector<double>> rows;  ///< one value per column
 };
 
-/// Index of the row in force at `t_ns`, or -1.
+/// Index of the row that holds at `t_ns`; -1 before the first.
 int RowInForce(const CommandTable& table, TimeNs t_ns);
 
-/// Lever positions for a replay.
+/// Recorded lever positions of a machine.
 struct LeverReplayPlan {
   std::shared_ptr<const CommandTable> table;
-  std::vector<int> lever_of_column;  ///< index of the lever of each column
+  std::vector<int> lever_of_column;  ///< lever index of each column
 };
 
-/// Replays recorded lever positions.
 class LeverReplay : public Operator {
  public:
   explicit LeverReplay(LeverReplayPlan plan) : plan_(std::move(plan)) {}
@@ -36,13 +35,13 @@ class LeverReplay : public Operator {
   LeverReplayPlan plan_;
 };
 
-/// Body velocity commands for a replay: columns forward speed in m/s, yaw rate in rad/s.
+/// Recorded velocity commands of a machine. Columns: forward speed in m/s, yaw rate in rad/s.
 struct TwistReplayPlan {
   std::shared_ptr<const CommandTable> table;
   SkidSteerLevers levers;
 };
 
-/// Replays recorded body velocity commands on a machine with skid steering.
+/// Replays recorded velocity commands on a machine with skid steering.
 ///
 /// Model   SetSkidSteer with the machine's nominal gauge.
 class TwistReplay : public Operator {

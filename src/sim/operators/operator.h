@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// An operator's view: the machine's state and the ground.
+/// The information that an operator has: the state of the machine, and the ground.
 struct OperatorView {
   TimeNs t_ns = 0;
   const MachineModel& model;
@@ -18,16 +18,16 @@ struct OperatorView {
   const TerrainSurface& ground;
 };
 
-/// A source of lever positions.
+/// Operates a machine by levers.
 class Operator {
  public:
   virtual ~Operator() = default;
-  /// Levers in [-1, 1], one for each lever of the model, held until the next call. Called once per
-  /// physics step in increasing time.
+  /// Lever positions in [-1, 1], one for each lever of the model. They hold until the next call.
+  /// Called once per physics step, with increasing time.
   virtual std::vector<double> Levers(const OperatorView& view) = 0;
 };
 
-/// Random stream of an operator.
+/// Identifies the random stream of a machine's operator.
 struct OperatorStream {
   std::uint64_t seed = 0;
   std::string machine;

@@ -21,7 +21,7 @@ PlanarArm::PlanarArm(const MachineModel& model, const Joints& joints, int tip_fr
   const NamedFrame& tip = model.frames[tip_frame];
   TERA_CHECK(arm.parent == boom.child && bucket.parent == arm.child && tip.link == bucket.child);
 
-  // Poses with every joint at zero and the root level at the origin.
+  // Poses with all joints at zero and the root level at the origin.
   const std::vector<Pose> X_WB =
       ForwardKinematics(model, Pose::Identity(), std::vector<double>(model.joints.size(), 0.0));
   const Pose X_UW = X_WB[model.joints[joints.slew].child].inverse();

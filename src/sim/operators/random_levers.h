@@ -9,18 +9,18 @@
 
 namespace tera {
 
-/// Speed and size of random lever moves.
+/// Parameters of random lever motions.
 struct RandomLeversPlan {
-  double shortest_s = 0.5, longest_s = 3;  ///< duration of a lever position
+  double shortest_s = 0.5, longest_s = 3;  ///< range of the time for which a lever holds a position
   double amplitude = 1;
 };
 
-/// Moves every lever at random, to excite all motions of a machine.
+/// Moves all levers at random, to excite all motions of a machine.
 ///
-/// Model   Each joint's lever holds a position for a uniform random time between two bounds. The
-///         next position is neutral with probability one quarter, else uniform in +- amplitude.
-///         Levers of running gears change together, and each piece is followed by its opposite, so
-///         the machine returns to about its start.
+/// Model   the lever of a joint holds each position for a uniform random time. The position is
+///         neutral with probability 1/4, else uniform in +- amplitude.
+///         The levers of all running gears change at the same times. After each position they take
+///         the opposite one for as long, so that the machine returns to about its start.
 class RandomLevers : public Operator {
  public:
   RandomLevers(const RandomLeversPlan& plan, const MachineModel& model,
@@ -28,15 +28,15 @@ class RandomLevers : public Operator {
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
-  /// The current piece of one lever, or of all gear levers.
+  /// The current position interval of one lever, or of all gear levers.
   struct Piece {
     std::int64_t index = -1;
     TimeNs until_ns = 0;
   };
-  /// A random number in (0, 1) for a piece of a lever.
+  /// A random number in (0, 1) for interval `piece` of a lever.
   double Draw(std::int64_t piece, std::size_t lever, std::uint32_t which) const;
   double Position(std::int64_t piece, std::size_t lever) const;
-  /// Begins the next piece if the current one is over, and returns true if it did.
+  /// Begins the next interval if the current one is over; then returns true.
   bool Advance(TimeNs t_ns, std::size_t lever, bool and_back, Piece* piece) const;
 
   RandomLeversPlan plan_;

@@ -11,12 +11,12 @@ namespace tera {
 namespace {
 
 constexpr double kMostCycles = 1e6;
-constexpr double kLayer_m = 0.12;  ///< of a compact machine's pull along a trench
+constexpr double kLayer_m = 0.12;  ///< depth of a compact machine's pull along a trench
 constexpr double kPull_mps =
-    0.5;  ///< slow enough for the tip to keep within centimetres of the design
+    0.5;  ///< speed of a pull, at which the tip follows the design within centimetres
 constexpr double kClearOfHeap_deg =
-    35;                               ///< from the middle of a heap to its foot, seen from the axis
-constexpr double kLeastArm_m = 1e-3;  ///< between pins; a shorter arm has no direction
+    35;  ///< angle from the centre of a heap to its foot, seen from the slew axis
+constexpr double kLeastArm_m = 1e-3;  ///< smallest distance between two pins of the arm
 
 /// Whether `link` is a descendant of `ancestor`.
 bool HangsOn(const MachineModel& model, int link, int ancestor) {
@@ -46,7 +46,7 @@ bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPl
   return good;
 }
 
-/// Reports joints that do not form a planar arm on a slewing post; true if there is nothing to
+/// Reports joints that do not form a planar arm on a slewing base. True if there is nothing to
 /// report.
 bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
   bool good = true;
@@ -93,7 +93,7 @@ bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan&
   return good;
 }
 
-/// Reads `blade`: the joint of a blade that has a lever; -1 without it.
+/// Reads `blade`: the joint of a blade, which must have a lever. -1 without the key.
 int ReadBlade(const ConfigMap& config, const MachineModel& model) {
   const std::string name = config.Text("blade", "blade");
   const int joint = model.JointIndex(name);
@@ -110,7 +110,7 @@ int ReadBlade(const ConfigMap& config, const MachineModel& model) {
   return -1;
 }
 
-/// Reads where a dig cycle digs, and how often.
+/// Reads the place and the number of dig cycles.
 void ReadPlace(const ConfigMap& config, DigPlan* plan) {
   const Range azimuth = Between(-360, 360, "deg");
   plan->dig_azimuth_rad = config.Number("dig_azimuth_deg", azimuth, 0) * kDeg;

@@ -11,26 +11,27 @@
 namespace tera {
 namespace {
 
-/// Gains of the joint angle error, for commanded rates and for commanded positions. The second is
-/// low, so that a joint with much inertia behind a delay does not oscillate about its target.
+/// Gains on a joint's position error, for commanded rates and for commanded positions. The second
+/// is low, so that a joint with high inertia and a delay does not oscillate about its target.
 constexpr double kRateGain_1ps = 4.0, kPlaceGain_1ps = 1.8;
-/// Largest lead of a held angle over a joint that cannot follow.
+/// Largest lead of the integrated target over a joint that cannot follow.
 constexpr double kLead_rad = 0.05;
-/// Joints with a position target come to rest within 0.012 of the fastest joint's rate, 0.4
-/// degrees. Their dead zones widen only at rest.
+/// Parameters for joints with a position target. Such a joint comes to rest when its ideal lever
+/// has fallen to about 0.012. For the fastest joint this is 0.4 degrees from the target. The learnt
+/// widths of dead zones grow only while the joint is nearly at rest.
 constexpr DeadZoneAdaptation kPositioning = {.transition = 0.012,
                                              .follow_ratio = 0.15,
                                              .overshoot_ratio = 1.5,
                                              .rebound_ratio = 0.15,
                                              .wait_s = 0.6,
                                              .rate_1ps = 0.3};
-/// Tolerance for the sender's rounding beyond full lever.
+/// Allowed excess over full lever, for rounding by the sender.
 constexpr double kMessageRounding = 1e-6;
 
-/// Tolerance beyond a joint's limit (rad or m), since an elastic stop yields.
+/// Allowed excess over a joint's limit (rad or m), because an elastic stop yields.
 constexpr double kStopYield_rad = 0.02;
 
-/// A larger distance from the root link is a typing error.
+/// Target positions farther from the root link are rejected as typing errors.
 constexpr double kFarthest_m = 1000.0;
 
 std::optional<std::string> FaultOfNumbers(const std::vector<double>& numbers, const char* what,

@@ -5,17 +5,18 @@
 
 namespace tera {
 
-/// The two levers that drive a machine.
+/// Indices of the levers of the left and the right track or wheels.
 struct SkidSteerLevers {
   int left = -1, right = -1;
 };
 
-/// Reads `left_lever` and `right_lever` (default left_track and right_track). A machine without
-/// them, or without a gauge, is a fault.
+/// Reads `left_lever` and `right_lever` (default left_track and right_track). It is a fault if the
+/// machine lacks them or has no gauge.
 SkidSteerLevers ReadSkidSteerLevers(const ConfigMap& config, const MachineModel& model);
 
-/// Lever positions for a forward speed and yaw rate without slip: v -+ w B / 2 over the speed at
-/// full lever. Both are scaled together if one exceeds full lever. Writes both into `levers`.
+/// Sets the two levers for a forward speed v and a yaw rate w, without slip: v -+ w B / 2 over the
+/// speed at full lever, where B is the gauge. If one exceeds full lever, both are reduced by the
+/// same factor.
 void SetSkidSteer(const MachineModel& model, const SkidSteerLevers& which, double forward_mps,
                   double yaw_rate_radps, std::vector<double>* levers);
 

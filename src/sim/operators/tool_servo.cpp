@@ -9,13 +9,14 @@ namespace {
 
 constexpr double kTimeConstant_s = 0.4;
 constexpr double kFastest_mps = 1.0, kFastest_radps = 0.8;
-/// A turn of one radian weighs as much as this displacement of the frame's origin.
+/// Displacement of the frame's origin that weighs as much as a rotation by one radian.
 constexpr double kTurn_m = 0.5;
-/// Damping of the inverse, in metres of the frame per radian of a joint: small compared with the
+/// Damping of the inverse, in metres of the frame per radian of a joint. Small compared with the
 /// arm.
 constexpr double kDamping_m = 0.05;
 
-using Twist = Eigen::Matrix<double, 6, 1>;  // velocity in m/s, then kTurn_m times angular rate
+// Linear velocity in m/s, then kTurn_m times angular velocity.
+using Twist = Eigen::Matrix<double, 6, 1>;
 
 Vec3 NoFasterThan(const Vec3& v, double fastest) {
   return v.norm() > fastest ? Vec3(v * (fastest / v.norm())) : v;
@@ -28,7 +29,7 @@ bool Carries(const MachineModel& model, int joint, int link) {
   return false;
 }
 
-/// Motion of the frame's origin `p_W_m` for a unit rate of `joint`, in B.
+/// Twist of the frame with its origin at `p_W_m`, in the axes of B, for a unit rate of `joint`.
 Twist JacobianColumn(const MachineModel& model, const MachineState& state, int joint,
                      const Vec3& p_W_m, const Mat3& R_WB) {
   const Joint& j = model.joints[joint];

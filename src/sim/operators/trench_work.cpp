@@ -11,19 +11,24 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_m = 0.05;         // between samples of the profile
-constexpr int kAcross = 7;               // samples across the bucket
-constexpr double kShareOfWindow = 0.75;  // of the radii, from stand to stand
+constexpr double kStep_m = 0.05;  // spacing of samples along the trench
+constexpr int kAcross = 7;        // samples over the bucket's width
+// Largest step from stand to stand, as a share of the range of radii.
+constexpr double kShareOfWindow = 0.75;
 constexpr double kReachedStand_m = 0.1;
-constexpr double kSpare_m = 0.15;  // pulls move the machine by as much from its stand
-constexpr double kBeside_m = 0.3;  // ground beside the trench that the bucket may pass over
+// Margin at both ends, because pulls may move the machine this far from its stand.
+constexpr double kSpare_m = 0.15;
+// Width of the ground beside the trench that the bucket may pass over.
+constexpr double kBeside_m = 0.3;
 constexpr double kLeastCut_m = 0.5;
-constexpr double kClimb_m = 0.25;    // a pull ends before such a step, which would tip the machine
-constexpr double kLeftShare = 0.6;   // of the tolerance; less soil above the design may stay
-constexpr double kEqualShare = 0.9;  // of the most soil; of equal cuts it takes the farthest
+// A pull ends where its path would rise by this, which would tip the machine.
+constexpr double kClimb_m = 0.25;
+constexpr double kLeftShare = 0.6;  // share of the tolerance; less soil above the design may remain
+// Cuts with at least this share of the most soil count as equal; the farthest is chosen.
+constexpr double kEqualShare = 0.9;
 constexpr double kPitchStep_rad = 2 * kDeg, kMostTurn_rad = 70 * kDeg;
-// Pitches of the tip direction that the bucket needs at the nearest and the farthest radius. There
-// it can still be curled enough to hold its load.
+// Pitch of the tip that the bucket must reach at the smallest and the largest radius. From these
+// pitches it can still curl enough to hold its load.
 constexpr double kNearPitch_rad = -110 * kDeg, kFarPitch_rad = -105 * kDeg;
 constexpr double kRadiusStep_m = 0.05, kMostRadius_m = 20;
 
@@ -39,14 +44,14 @@ bool Reaches(const MachineModel& model, const PlanarArm& arm, const PlanarArm::J
          IsWithin(model, joints.bucket, angles->bucket_rad);
 }
 
-/// The samples of a profile under one pull, from its start up to `end`, and what it takes.
+/// A pull over samples of the profile: the end index (exclusive) and the soil taken.
 struct Pull {
   std::size_t end = 0;
   double soil_m3 = 0;
 };
 
-/// A pull from `start` until the bucket is full or meets a step. `above_m` is the ground above the
-/// design, from the farthest radius inwards.
+/// A pull from sample `start` until the bucket is full or the path would rise too much. `above_m`
+/// is the height of the ground above the design, from the largest radius inwards.
 Pull PullFrom(std::size_t start, const std::vector<double>& above_m, double layer_m,
               double bucket_m, double load_m3) {
   Pull pull{.end = start};
@@ -116,7 +121,7 @@ double TrenchWork::DesignAt(double station_m, double offset_m) const {
 }
 
 double TrenchWork::GroundAt(const TerrainSurface& ground, double station_m, double offset_m) const {
-  // The outermost samples are half a cell within the bucket's width, as the floor's columns are.
+  // The outermost samples lie half a cell inside the bucket's width, like the columns of the floor.
   const double width_m = plan_.bucket_m - ground.cell_m;
   double sum_m = 0;
   for (int k = 0; k < kAcross; ++k) {
@@ -147,12 +152,13 @@ std::optional<TrenchCut> TrenchWork::NextCut(const TerrainSurface& ground, doubl
   std::optional<TrenchCut> best;
   double best_m3 = 0;
   for (const double offset_m : offsets_m_) {
-    std::vector<double> above_m;  // as PullFrom takes it
+    std::vector<double> above_m;  // input of PullFrom
     for (double r_m = to_m; r_m >= from_m - 1e-9; r_m -= kStep_m) {
       const double station_m = axis_station_m - r_m;
       above_m.push_back(GroundAt(ground, station_m, offset_m) - DesignAt(station_m, offset_m));
     }
-    // Nearer soil is cut at the end of a pull, or from the next stand if there is one.
+    // No pull starts within kLeastCut_m of the smallest radius if there is a next stand. The soil
+    // there is cut at the end of a longer pull, or from that stand.
     const auto least = static_cast<std::size_t>(kLeastCut_m / kStep_m);
     const std::size_t nearest = above_m.size() - std::min(above_m.size(), least);
     const std::size_t ends = NextStand(axis_station_m) ? nearest : above_m.size();

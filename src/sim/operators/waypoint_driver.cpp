@@ -8,11 +8,12 @@
 namespace tera {
 namespace {
 
-constexpr double kTurnOnSpot_rad = 50 * kDeg;  // beyond this bearing, turn before driving on
+constexpr double kTurnOnSpot_rad = 50 * kDeg;  // at a larger bearing the machine turns on the spot
 constexpr double kTurnRate_radps = 0.5;
-constexpr double kSlowDownDistance_m = 1.0;    // before the last waypoint
-constexpr double kMinApproachSpeed = 0.15;     // share of the cruising speed
-constexpr double kCarefulLeverRate_1ps = 1.5;  // a careful hand: neutral to full lever in 0.7 s
+constexpr double kSlowDownDistance_m = 1.0;  // distance from the last waypoint
+constexpr double kMinApproachSpeed = 0.15;   // share of the cruising speed
+// A careful hand goes from neutral to full lever in 0.7 s.
+constexpr double kCarefulLeverRate_1ps = 1.5;
 
 }  // namespace
 

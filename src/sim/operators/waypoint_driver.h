@@ -10,9 +10,6 @@
 
 namespace tera {
 
-/// Parameters of a drive through waypoints.
-///
-/// Frames  waypoints in W.
 struct WaypointPlan {
   std::vector<Vec2> waypoints_W_m;
   double speed_mps = 0.8;
@@ -20,12 +17,12 @@ struct WaypointPlan {
   SkidSteerLevers levers;
 };
 
-/// Drives through waypoints with left and right tracks (or wheels).
+/// Drives through waypoints with left and right tracks or wheels.
 ///
 /// Frames  waypoints in W.
-/// Model   pure pursuit: curvature 2 sin(alpha) / d towards the waypoint at bearing alpha and
-///         distance d. The machine turns on the spot at large bearings and slows for the last
-///         waypoint, where it stops. Lever rates are limited to those of a hand.
+/// Model   pure pursuit: curvature 2 sin(alpha) / d towards the waypoint at the bearing alpha and
+///         the distance d. At large bearings the machine turns on the spot. It slows down for the
+///         last waypoint and stops there. Lever rates are limited to those of a human hand.
 /// Source  Coulter 1992, CMU-RI-TR-92-01.
 class WaypointDriver : public Operator {
  public:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTileWidth_px = 320, kTileHeight_px = 240;
 
-/// Removes the lines that all tiles share.
+/// Removes the lines that are equal in all tiles.
 void KeepWhatDiffers(std::vector<SheetTile>* tiles) {
   if (tiles->size() < 2) return;
   const std::vector<std::string> first = tiles->front().lines;

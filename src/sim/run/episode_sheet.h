@@ -9,21 +9,21 @@
 
 namespace tera {
 
-/// A contact sheet of a scenario's episodes: the first instant of each (FirstLook), with its drawn
-/// values in short form. Values that all episodes share are left out.
+/// A contact sheet of a scenario's episodes: the first instant of each (FirstLook) with its drawn
+/// values. Values that all episodes share are omitted.
 class EpisodeSheet {
  public:
-  /// Draws the next episode. Throws as FirstLook does.
+  /// Adds the next episode. Throws as FirstLook does.
   void Add(const Scenario& scenario, const EglOptions& egl);
-  /// The sheet of all added episodes, at least one.
+  /// Draws the sheet. At least one episode must have been added.
   Picture Draw() const;
 
  private:
   std::vector<SheetTile> tiles_;
 };
 
-/// Short form of "key.of.some: value" of Scenario::drawn: the end of its key, numbers with four
-/// digits, and the count of a list of mappings.
+/// Shortens "key.of.some: value" of Scenario::drawn: last part of the key, numbers with four
+/// digits, and only the length of a list of mappings.
 std::string DrawnInShort(const std::string& drawn);
 
 }  // namespace tera

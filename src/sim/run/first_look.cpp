@@ -14,7 +14,7 @@ namespace {
 constexpr double kField_rad = 45 * kDeg, kDown_rad = 32 * kDeg, kBearing_rad = 215 * kDeg;
 constexpr double kLeast_m = 9, kMost_m = 35;  ///< radius of the visible ground
 
-/// A circle of ground in view.
+/// A circle of ground that the picture shows.
 struct Sight {
   Vec3 middle_W_m = Vec3::Zero();
   double radius_m = kLeast_m;
@@ -32,7 +32,8 @@ Sight SightOf(const Scenario& scenario) {
   };
   for (const ScenarioMachine& m : scenario.machines) add(m.placement.X_WB.translation().head<2>());
   for (const ScenarioObstacle& obstacle : scenario.obstacles) add(obstacle.xy_W_m);
-  // The view covers three quarters of the things, so a distant one does not make the rest small.
+  // The view covers three quarters of the objects. A distant object thus does not make all others
+  // small.
   std::sort(distances_m.begin(), distances_m.end());
   if (!distances_m.empty()) sight.radius_m = distances_m[distances_m.size() * 3 / 4];
   sight.radius_m = std::clamp(sight.radius_m + 2, kLeast_m, kMost_m);

@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// A small picture of a scenario's first instant, from the south-west and above. It is centred on
-/// the machines and wide enough to show nearby things.
+/// A small picture of a scenario's first instant, seen from above in the south-west. It is centred
+/// on the machines and wide enough to show nearby things.
 ///
-/// Model   machines as placed, without settling.
-/// Throws  InputError if a mesh cannot be loaded or nothing can be drawn.
+/// Model   machines as placed, before settling.
+/// Throws  InputError if a mesh cannot be loaded or OpenGL is not available.
 Image<std::uint8_t> FirstLook(const Scenario& scenario, int width_px, int height_px,
                               const EglOptions& egl);
 

@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// The state log of a run, if it is requested.
+/// Creates the state log of a run, if it is requested.
 std::optional<StateLog> StateLogOf(const Scenario& scenario, const std::string& resolved_yaml,
                                    const GenerateOptions& options, const Run& run,
                                    DatasetWriter* writer) {
@@ -23,8 +23,8 @@ std::optional<StateLog> StateLogOf(const Scenario& scenario, const std::string& 
                                  writer->PathFor(kStateFile), run.simulation().state());
 }
 
-/// Steps the scenario to its end into `writer`. `step` counts the finished steps, so that the
-/// caller knows the progress if bad input stops the run.
+/// Runs the scenario to its end and writes to `writer`. `step` counts the completed steps, so that
+/// the caller knows the progress if an exception ends the run.
 void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
               const SceneAssembly& assembly, const GenerateOptions& options, DatasetWriter* writer,
               std::int64_t* step, GenerateReport* report) {

@@ -16,8 +16,8 @@
 namespace tera {
 namespace {
 
-/// Forwards every channel and measurement to several sinks. A frame is taken if any sink needs it,
-/// and then goes to all; none comes late.
+/// Forwards channels and measurements to several sinks. A frame is rendered if any sink needs it;
+/// all sinks then receive it. Frames are never late.
 class SinkGroup : public MeasurementSink {
  public:
   /// The sinks must outlive the group.
@@ -30,7 +30,7 @@ class SinkGroup : public MeasurementSink {
 
  private:
   std::vector<MeasurementSink*> sinks_;
-  std::vector<std::vector<ChannelId>> channels_;  ///< [sink][the group's channel]
+  std::vector<std::vector<ChannelId>> channels_;  ///< [sink][channel of the group]
 };
 
 SinkGroup::SinkGroup(std::vector<MeasurementSink*> sinks) : sinks_(std::move(sinks)) {}
@@ -62,7 +62,7 @@ void SinkGroup::MarkPresent(ChannelId channel, TimeNs t_ns) {
   }
 }
 
-/// Puts a remote operator before each machine's own; `remote` gets the remote ones.
+/// Wraps each machine's operator in a RemoteOperator. `remote` receives the wrappers.
 Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
   for (std::unique_ptr<Operator>& own : operators) {
     auto before = std::make_unique<RemoteOperator>(std::move(own));
@@ -114,8 +114,8 @@ struct LiveRun::Impl {
     return sinks;
   }
 
-  /// Steps. Each second it flushes the recording with the first levers of the next step, so that a
-  /// killed run can be replayed to that point.
+  /// Advances by one step. Once per second it flushes the recording, together with the first levers
+  /// of the next step. A killed run can thus be replayed up to that time.
   void Step() {
     run->Step();
     if (terrain) terrain->Write(run->simulation().state().t_ns);
@@ -137,7 +137,7 @@ struct LiveRun::Impl {
     recorder->Finish();
   }
 
-  /// Calls `act`. On failure the message also says which part of the recording is kept.
+  /// Calls `act`. If it throws, the message also names the part of the recording that is kept.
   template <typename Act>
   void Recording(const Act& act) {
     try {
@@ -157,7 +157,7 @@ struct LiveRun::Impl {
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
   std::unique_ptr<Run> run;
-  std::unique_ptr<TerrainLog> terrain;  ///< only with a recorder
+  std::unique_ptr<TerrainLog> terrain;  ///< set if the run is recorded
   std::int64_t steps = 0;
 };
 

@@ -17,33 +17,34 @@
 namespace tera {
 
 struct LiveOptions {
-  int threads = 2;  ///< for rays and for encoding
+  int threads = 2;  ///< for rays and encoding
   EglOptions egl;
-  std::optional<std::filesystem::path> record;  ///< the dataset to write, new or empty
+  /// Folder of the dataset to write, which must be new or empty.
+  std::optional<std::filesystem::path> record;
 };
 
-/// A run that its caller steps, with machines driven externally and measurements sent to sinks.
-/// Optionally it records a dataset, which `tera replay` reproduces byte for byte from its commands.
-/// A stopped recording replays as far as its commands are on disk; at most the last second is
-/// missing.
+/// A run that its caller advances step by step, with externally controlled machines. Measurements
+/// go to sinks. Optionally the run is recorded as a dataset; `tera replay` reproduces it byte for
+/// byte from its commands. A recording that was interrupted replays as far as its commands are on
+/// disk, which excludes at most the last second.
 ///
-/// Model   every machine obeys its scenario's operator until its first message (RemoteOperator). A
-///         message acts from the next step on. The run has no fixed end.
+/// Model   a machine obeys the scenario's operator until its first message (RemoteOperator). A
+///         message takes effect at the next step. The run has no fixed end.
 class LiveRun {
  public:
-  /// Settles the machines and samples at t = 0. The sinks must outlive the run. Throws InputError
-  /// as Generate does.
+  /// Settles the machines and takes the samples at t = 0. The sinks must outlive the run. Throws
+  /// InputError as Generate does.
   LiveRun(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
           const LiveOptions& options, std::vector<MeasurementSink*> sinks);
-  /// Leaves an incomplete recording if Finish was not called.
+  /// If Finish was not called, the recording stays incomplete.
   ~LiveRun();
 
-  /// `message` must have no fault for the machine (FaultOf).
+  /// Sends a message, which must have no fault for this machine (FaultOf).
   void Command(std::size_t machine, const ControlMessage& message);
-  /// Throws InputError if the recording cannot be written, and names the part that is kept; so does
-  /// Finish.
+  /// Throws InputError if the recording cannot be written; the message names the part that is kept.
+  /// Finish does the same.
   void Step();
-  /// Ends the recording. No step may follow.
+  /// Completes the recording. No step may follow.
   void Finish();
 
   const Scenario& scenario() const;

@@ -11,13 +11,13 @@
 
 namespace tera {
 
-/// Writes the pose of each link, each sensor and each moving obstacle at the scenario's rate
-/// (`record: {poses_hz}`). Without a rate it writes dynamic obstacles alone, 50 times a second.
+/// Writes the poses of links, sensors and moving obstacles at the scenario's rate (`record:
+/// {poses_hz}`). Without a rate it writes dynamic obstacles only, 50 times per second.
 ///
-/// Frames  X_WB of links and obstacles; X_WS of sensors, S as in sensor.yaml. A sensor whose
-///         effects move it has two files: its true pose, and the pose of its sensor.yaml.
-/// Model   interpolation between two steps as for sensors: positions linear, rotations along the
-///         shortest arc. The first row is at the start.
+/// Frames  X_WB of links and obstacles; X_WS of sensors, with S as in sensor.yaml. A sensor that
+///         its effects displace has two files: its true pose, and the pose by its sensor.yaml.
+/// Model   positions are interpolated linearly between two steps, rotations along the shortest arc.
+///         Sensors use the same interpolation. The first row is at the start.
 class PoseLog {
  public:
   PoseLog(const Scenario& scenario, MeasurementSink* sink);
@@ -26,7 +26,7 @@ class PoseLog {
   void Write(const Instant& before, const Instant& after);
 
  private:
-  /// A pose at a constant offset from a body of an Instant.
+  /// A pose with a constant offset from a body.
   struct Followed {
     ChannelId channel;
     std::function<const Pose&(const Instant&)> X_WB;

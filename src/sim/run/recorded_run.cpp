@@ -36,8 +36,8 @@ MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inpu
   return moved;
 }
 
-/// `read` must be among the checked files. The choice of a mesh by a URDF also depends on the
-/// folders around it.
+/// Throws unless all files of `read` are among the checked ones. Which mesh a URDF refers to also
+/// depends on the folders around it, so another file may have been read.
 void RequireAmong(const std::vector<InputFile>& checked, const std::vector<InputFile>& read,
                   const std::filesystem::path& scenario_file) {
   std::set<std::string> known;
@@ -53,8 +53,8 @@ void RequireAmong(const std::vector<InputFile>& checked, const std::vector<Input
   }
 }
 
-/// The recording's scenario from unchanged files. Its inputs keep their recorded names at any
-/// location.
+/// The recording's scenario from unchanged input files. Inputs keep their recorded names even if
+/// they have moved.
 LoadedScenario ScenarioOf(const std::filesystem::path& recording,
                           const std::vector<std::string>& overrides,
                           const std::vector<std::string>& moved_texts) {
@@ -78,7 +78,7 @@ bool IsAt(const std::filesystem::path& folder, const std::filesystem::path& path
   return std::filesystem::equivalent(folder, path, ignored);
 }
 
-/// Resolves links and `..`; the path need not exist.
+/// Resolves symbolic links and `..`. The path need not exist.
 bool IsInside(const std::filesystem::path& folder, const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path above = std::filesystem::weakly_canonical(path, error);
@@ -97,7 +97,7 @@ LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
   const Recording recording(directory);
   RequireSimulated(recording);
   LoadedScenario loaded = ScenarioOf(directory, overrides, moved);
-  // A run whose task was done ended before its time.
+  // A run whose task was completed may have ended before its planned duration.
   if (loaded.scenario.task) {
     loaded.scenario.duration_s = std::min(loaded.scenario.duration_s, recording.info().duration_s);
   }

@@ -15,7 +15,7 @@ namespace {
 
 std::string CommandsOf(const MachinePlacement& machine) { return machine.name + "/commands.csv"; }
 
-/// `shown` is the table's file, for messages.
+/// `shown` is the file of the table, for messages.
 LeverReplayPlan Replayed(TableRecording table, const MachinePlacement& machine,
                          const std::string& shown) {
   std::vector<std::string> names;
@@ -73,7 +73,7 @@ void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* sc
     steps = std::min(steps, table.t_ns.size());
     machine.driver = Replayed(std::move(table), machine.placement, (directory / file).string());
   }
-  // The levers in force at the end form a row of their own.
+  // The last row contains the levers at the end; no step follows it.
   if (steps < 2) {
     throw InputError(
         directory.string(),

@@ -10,16 +10,16 @@ namespace tera {
 /// Throws InputError for a real recording.
 void RequireSimulated(const Recording& recording);
 
-/// Replaces the operators of `scenario` by the commands of a simulated recording of it
-/// (commands.csv). The run lasts as long as the recording.
+/// Replaces the operators of `scenario` by the commands of its recording (commands.csv). Sets the
+/// duration to that of the recording.
 ///
 /// Throws  InputError if the commands do not fit the machines.
 void CommandAsRecorded(const Recording& recording, Scenario* scenario);
 
-/// The same with the commands of a stopped run (WasStopped), up to the last time for which every
-/// machine's commands are on disk. The run ends there.
+/// As CommandAsRecorded, for an interrupted recording (WasStopped). The run ends at the last time
+/// for which the commands of all machines are on disk.
 ///
-/// Throws  InputError if they do not fit, or if there are none yet.
+/// Throws  InputError if they do not fit, or if there are none.
 void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* scenario);
 
 }  // namespace tera

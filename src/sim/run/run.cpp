@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// The scenario's files and those that its meshes name, sorted by name.
+/// Input files of the scenario and files that its meshes refer to, sorted by name.
 std::vector<InputFile> InputsOf(const Scenario& scenario, const SceneModel& scene) {
   std::vector<InputFile> inputs = scenario.inputs;
   std::set<std::string> places;

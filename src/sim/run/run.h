@@ -14,15 +14,17 @@
 
 namespace tera {
 
-/// The dataset.yaml contents for a run of `scenario`. `resolved_yaml` is from Config::ResolvedYaml.
-/// Reads every input for its digest; throws InputError if one is unreadable.
+/// Contents of dataset.yaml for a run of `scenario`. `resolved_yaml` comes from
+/// Config::ResolvedYaml. Reads all input files for their digests; throws InputError if one is
+/// unreadable.
 DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
                    const SceneModel& scene);
 
-/// A running scenario: bodies, soil, truth and sensors, written step by step into a sink.
+/// A running scenario: bodies, soil, truth and sensors. Each step writes its data to a sink.
 class Run {
  public:
-  /// Settles the machines and samples at the start. Keeps references to all arguments except `egl`.
+  /// Settles the machines and takes the samples at the start. Keeps references to all arguments
+  /// except `egl`.
   Run(const Scenario& scenario, Operators operators, const SceneAssembly& assembly,
       const EglOptions& egl, int threads, MeasurementSink* sink);
 

@@ -12,8 +12,8 @@ namespace tera {
 namespace {
 
 constexpr TimeNs kTaskPeriod_ns = 100'000'000;
-/// Share of the floor within the tolerance that counts as done, and for how long: soil that slides
-/// back within that time is not missed.
+/// Share of the floor that must be within the tolerance, and for how long. The time shows whether
+/// soil slides back.
 constexpr double kDoneShare = 0.95;
 constexpr TimeNs kDoneFor_ns = 5'000'000'000;
 

@@ -7,24 +7,24 @@
 
 namespace tera {
 
-/// Writes a recording's ground records (TerrainRecord) to truth/terrain/.
+/// Writes the ground records of a recording (TerrainRecord) to truth/terrain/.
 class TerrainLog {
  public:
-  /// Keeps references. Changes are relative to the start of the simulation of `ground`.
+  /// Keeps references. Changes are relative to the ground at the start of its simulation.
   TerrainLog(const Scenario& scenario, const Soil& ground, DatasetWriter* writer);
 
-  /// Call after each step; `t_ns` is its end.
+  /// Must be called after each step; `t_ns` is its end.
   void Write(TimeNs t_ns);
   void Finish();
 
  private:
-  /// Writes all files, with names that end in `when`.
+  /// Writes all files; their names end in `when`.
   void WriteAll(const std::string& when);
 
   const Scenario& scenario_;
   const Soil& ground_;
   DatasetWriter* writer_;
-  std::int64_t next_ = 1;  ///< next multiple of the period
+  std::int64_t next_ = 1;  ///< index of the next record, in periods
 };
 
 }  // namespace tera

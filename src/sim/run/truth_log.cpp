@@ -30,7 +30,7 @@ std::vector<std::string> JointColumns(const MachineModel& model,
   return columns;
 }
 
-/// Values of `now`. Its rates are the means of those before and after it.
+/// Values of `now`, with rates that are the means of those before and after it.
 std::vector<double> JointRow(const MachineState& now, const MachineState& next, std::size_t soils) {
   std::vector<double> row;
   for (std::size_t j = 0; j < now.q_rad.size(); ++j) {
@@ -46,7 +46,7 @@ std::vector<double> JointRow(const MachineState& now, const MachineState& next, 
     const Vec3& com_B_m = load.com_B_m;
     row.insert(row.end(), {load.mass_kg, load.volume_m3, com_B_m.x(), com_B_m.y(), com_B_m.z()});
     std::vector<double> soil_kg = load.soil_kg;
-    soil_kg.resize(soils);  // empty until the first step
+    soil_kg.resize(soils);  // the list is empty until the first step
     row.insert(row.end(), soil_kg.begin(), soil_kg.end());
   }
   return row;
@@ -63,7 +63,7 @@ std::vector<std::string> HydraulicColumns(const MachineModel& model) {
   return columns;
 }
 
-/// A row with the same rate convention as JointRow.
+/// A row of cylinder values, with rates as in JointRow.
 std::vector<double> HydraulicRow(const MachineState& now, const MachineState& next) {
   std::vector<double> row;
   for (std::size_t c = 0; c < now.cylinders.size(); ++c) {

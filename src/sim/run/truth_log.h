@@ -8,21 +8,21 @@
 
 namespace tera {
 
-/// The truth channels of a scenario, in order: commands, pose, joints and cylinders of each
-/// machine, then the bed of each obstacle, then the progress of the task.
+/// The truth channels of a scenario, in order: for each machine commands, pose, joints and
+/// cylinders; then the bed of each obstacle; then the progress of the task.
 std::vector<ChannelInfo> TruthChannels(const Scenario& scenario);
 
-/// Writes the truth: commands of every machine, poses, joints, loads and cylinders, and the loads
-/// of obstacles' beds.
+/// Writes the truth: commands, poses, joints, loads and cylinders of machines, and the loads of
+/// obstacles' beds.
 ///
-/// Model   one row for each step. The physics step gives the rates that carry the pose from one row
-///         to the next, valid midway between them. A row holds the mean of the rates before and
-///         after it, which is second order at its own time.
+/// Model   one row for each step. A physics step yields the rates that lead from one pose to the
+///         next, which are those at mid-step. A row contains the mean of the rates before and after
+///         it. This is second-order accurate at the time of the row.
 class TruthLog {
  public:
   TruthLog(const Scenario& scenario, MeasurementSink* sink);
 
-  /// The state `before` a step, the state `after` it, and the levers in force in between.
+  /// State before and after a step, with the levers that acted in between.
   void Write(const Instant& before, const Instant& after);
 
  private:

@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// Replaces the collision meshes of a machine's links by boxes along the axes of each mesh's own
-/// frame, at least 1 mm thick. An unreadable file is a fault of `urdf` in `config`.
+/// Replaces the collision meshes of a machine's links by their bounding boxes in the mesh's own
+/// axes, at least 1 mm thick. An unreadable file is a fault of `urdf` in `config`.
 void SetCollisionMeshes(const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

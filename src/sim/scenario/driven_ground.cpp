@@ -10,7 +10,7 @@ constexpr double kKnot_m = 6, kStep_m = 1, kPastEnds_m = 12;
 
 struct Wave {
   int to_the_turn;
-  double share;  ///< share of the radius
+  double share;  ///< amplitude as a share of the radius
 };
 constexpr Wave kWaves[] = {{2, 0.22}, {3, 0.14}, {5, 0.08}};
 constexpr int kCorners = 32;

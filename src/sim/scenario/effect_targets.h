@@ -10,21 +10,23 @@
 
 namespace tera {
 
-/// A target of mechanisms on a machine, by its name in YAML.
+/// A part of a machine that effects can apply to, by its name in YAML.
 struct NamedTarget {
-  std::string name;  ///< joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
+  /// Joint, running gear, pump, sensor, "base", or an axis such as "encoders/boom".
+  std::string name;
   EffectTarget kind;
-  std::span<const Mechanism> library;  ///< library of its mechanisms
+  std::span<const Mechanism> library;  ///< mechanisms that apply to it
 };
 
-/// The target of the whole machine's motion.
+/// Name of the target for the motion of the whole machine.
 inline constexpr std::string_view kBaseTarget = "base";
 
-/// All targets of a machine: moving joints, running gears, pumps, the base, sensors and their axes.
+/// All targets of a machine: movable joints, running gears, pumps, the base, sensors and their
+/// axes.
 std::vector<NamedTarget> TargetsOf(const MachineModel& model,
                                    const std::vector<SensorDescription>& sensors);
 
-/// True if `key` has a mapping or is absent. A word or a number there is a fault.
+/// True if `key` is a mapping or absent. Any other value is reported as a fault.
 bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key);
 
 }  // namespace tera

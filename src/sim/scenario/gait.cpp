@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kShortestStride_m = 0.1, kLongestStride_m = 10, kHighest_m = 1;
 constexpr double kFurthest_deg = 180;
-constexpr std::size_t kMostMoments = 1000;  // per stride
+constexpr std::size_t kMostMoments = 1000;  // maximum number of samples of a stride
 
-/// Linear interpolation of a periodic row of values at the phase of `travel_m`.
+/// Interpolates samples of a stride linearly at the phase of `travel_m`.
 double At(const std::vector<double>& row, double stride_m, double travel_m) {
   if (row.empty()) return 0;
   const double share = travel_m / stride_m - std::floor(travel_m / stride_m);
@@ -24,7 +24,7 @@ double At(const std::vector<double>& row, double stride_m, double travel_m) {
   return row[k] + t * (row[(k + 1) % row.size()] - row[k]);
 }
 
-/// Index of the limb that a key names; -1 without the key.
+/// Index of the limb that the key names; -1 without that key.
 int LimbNamed(const ConfigMap& config, const char* key, const std::vector<ObstacleLimb>& limbs) {
   if (!config.Has(key)) return -1;
   const std::string name = config.Text(key);

@@ -8,20 +8,20 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond_m = 500;  // the road continues beyond the site's border
+constexpr double kBeyond_m = 500;  // length of the road beyond the site's border
 
 Vec2 LeftOf(const Vec2& from_m, const Vec2& to_m) {
   const Vec2 way = (to_m - from_m).normalized();
   return {-way.y(), way.x()};
 }
 
-/// A point of the middle line, and the direction to its left.
+/// A point of the centre line, and the direction to its left.
 struct Station {
   double way_m;
   Vec2 p_m, left;
 };
 
-/// Stations along the middle line from `before_m` ahead of its begin to as far past its end. The
+/// Points along the centre line, from `before_m` before its begin to `before_m` after its end. The
 /// bend is rounded over `round_m` on each leg.
 std::vector<Station> StationsOf(const HaulRoad& road, double before_m, double step_m,
                                 double round_m) {
@@ -74,7 +74,7 @@ std::vector<Vec2> RoadOutline(const HaulRoad& road, double stray_m, const ShareR
   const std::vector<Vec2> straight = StraightOutline(road);
   if (stray_m <= 0) return straight;
   constexpr double kStep_m = 1, kFine_m = 1, kCoarse_m = 6, kPastEnds_m = 12;
-  constexpr std::uint32_t kRow = 2000;  // shares of each row
+  constexpr std::uint32_t kRow = 2000;  // random numbers reserved for each noise
   const std::vector<Station> stations = StationsOf(road, kPastEnds_m, kStep_m, road.width_m);
   std::vector<Vec2> left, right;
   for (const Station& s : stations) {

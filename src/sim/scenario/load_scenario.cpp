@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Overlays the values that `randomise:` draws, and removes it from the written text.
+/// Overlays the values that `randomise:` draws, and removes that key from the resolved text.
 void LayEpisode(std::uint64_t episode, Config* config) {
   const ConfigMap root = config->root();
   if (!root.Has("randomise")) {
@@ -29,7 +29,7 @@ void LayEpisode(std::uint64_t episode, Config* config) {
                     root.Place("randomise")});
   config->LayOver(values);
   config->LeaveOut("randomise");
-  config->LeaveOut("seed");  // read again later, to keep the order of the text
+  config->LeaveOut("seed");  // read again later, to keep the order of keys in the text
 }
 
 }  // namespace

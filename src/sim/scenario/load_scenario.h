@@ -10,16 +10,20 @@
 
 namespace tera {
 
-/// A valid scenario and its complete text.
+/// A valid scenario and its YAML with all references and draws resolved.
 struct LoadedScenario {
   Scenario scenario;
   std::string resolved_yaml;
 };
 
-/// Reads a scenario. Layers, the highest first: `overrides` (key.path=value); the mapping
-/// `effects:` of each file of `effects`, later files above earlier ones; the values that
-/// `randomise:` draws for the episode (randomise.h); the scenario. The text contains the drawn
-/// values, and lists them under `drawn:`. Files that the scenario names may have `moved`.
+/// Reads a scenario. Several layers set its values. From the highest to the lowest priority:
+/// 1. `overrides` (key.path=value),
+/// 2. the mapping `effects:` in each file of `effects`, later files first,
+/// 3. the values that `randomise:` draws for the episode (randomise.h),
+/// 4. the scenario file.
+///
+/// The resolved YAML contains the drawn values, and lists them under `drawn:`. `moved` gives new
+/// places of files that the scenario names.
 ///
 /// Throws  InputError with every fault.
 LoadedScenario LoadScenario(const std::filesystem::path& file,

@@ -33,7 +33,7 @@ Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
                   RotationFromRpy(roll, pitch, yaw_rad));
 }
 
-/// Half extents of the ground contact in the root's frame.
+/// Half length and half width of the ground contact, in the root's frame.
 Vec2 FootprintHalf(const MachineModel& model) {
   Vec2 half = Vec2::Zero();
   for (const RunningGear& gear : model.ground_tools.gears) {
@@ -44,7 +44,7 @@ Vec2 FootprintHalf(const MachineModel& model) {
   return half;
 }
 
-/// A start key's meaning, for turning or for sliding joints.
+/// Properties of a start key: `joints_deg` for revolute or `joints_m` for prismatic joints.
 struct StartPlaces {
   std::string_view key, unit, other_key;
   bool slide;
@@ -53,7 +53,7 @@ struct StartPlaces {
 constexpr StartPlaces kStartPlaces[] = {{"joints_deg", "deg", "joints_m", false, kDeg},
                                         {"joints_m", "m", "joints_deg", true, 1}};
 
-/// The joint that a start names, if it is of the key's kind.
+/// The joint that a start entry names, if it is of the key's kind.
 std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& places,
                                 const std::string& name, const MachineModel& model) {
   const int joint = model.JointIndex(name);
@@ -86,7 +86,7 @@ void ReadStartPlaces(const ConfigMap& start, const MachineModel& model, std::vec
   for (const StartPlaces& places : kStartPlaces) {
     const std::size_t before = FaultCount(start);
     const auto given = start.NamedNumbers(places.key, Any(std::string(places.unit)));
-    if (FaultCount(start) != before) continue;  // a faulty value needs no check of its limits
+    if (FaultCount(start) != before) continue;  // limits are checked only for valid values
     for (const auto& [name, value] : given) {
       const std::optional<int> joint = JointOfStart(start, places, name, model);
       if (!joint) continue;

@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Reads a machine's `start`: position and heading, joint angles (`joints_deg`) and, for sliding
-/// joints, positions (`joints_m`). A joint is a fault if it is unknown, of the other kind, a
-/// follower, or beyond its limits.
+/// Reads a machine's `start`: position, heading, joint angles (`joints_deg`) and positions of
+/// prismatic joints (`joints_m`). A joint is a fault if it is unknown, of the other kind, coupled
+/// to another joint, or beyond its limits.
 void ReadStart(const ConfigMap& config, MachinePlacement* placement);
 
-/// Sets height and tilt of a machine from the ground under its tracks or wheels.
+/// Sets the machine's height and tilt to fit the ground under its tracks or wheels.
 void SetOnGround(const TerrainSurface& ground, MachinePlacement* placement);
 
 }  // namespace tera

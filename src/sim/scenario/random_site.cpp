@@ -20,9 +20,10 @@
 namespace tera {
 namespace {
 
-constexpr std::uint32_t kMostTries = 1000;  ///< for a free place
+constexpr std::uint32_t kMostTries = 1000;  ///< tries to find a free place
 constexpr double kMostOfAKind = 100;
-/// Run over rise of a heap's foot: the shallowest repose of the shipped soils is about 30 deg.
+/// Length over height of a heap's slope. The smallest angle of repose of the provided soils is
+/// about 30 deg.
 constexpr double kFootOverHeight = 1.8;
 
 constexpr double kFurthest_m = 1e5;
@@ -56,15 +57,15 @@ class SitePlanner {
   }
   Spread SpreadAt(const ConfigMap& config, const char* key, const Range& range) const;
   int Count(const ConfigMap& config, const std::string& kind) const;
-  /// Draws one entry of a list. An empty list is a fault and gives an empty text.
+  /// Draws an entry of the list at `key`. An empty list is a fault and gives an empty text.
   std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream);
-  /// Reserves a free place for a rectangle; a fault and nothing if there is none.
+  /// Reserves a rectangle at a free place. If there is none, reports a fault and returns nothing.
   std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,
                                  const Stream& stream, const Vec2& half_m, bool follows_road);
   bool IsWithin(const Vec2& p_W_m) const;
   bool IsFree(const Footprint& wanted) const;
   double DressRoad(const ConfigMap& config, const HaulRoad& road, const std::string& soil);
-  /// Draws `count` of a kind, each by draw_one(config, stream, number).
+  /// Draws `count` objects of a kind, each by draw_one(config, stream, number).
   template <typename DrawOne>
   void ForEach(const char* kind, const DrawOne& draw_one);
 
@@ -134,7 +135,7 @@ std::optional<Footprint> SitePlanner::Place(const ConfigMap& config, const std::
                                             const Stream& stream, const Vec2& half_m,
                                             bool follows_road) {
   if (reads_only_) return std::nullopt;
-  constexpr double kStray_rad = 4 * kDeg, kAcross = 0.25;  // share placed across the road
+  constexpr double kStray_rad = 4 * kDeg, kAcross = 0.25;  // probability of a place across the road
   for (std::uint32_t k = 0; k < kMostTries; ++k) {
     const auto draw = [&](std::uint32_t what) { return Share(stream, kPlaces + 4 * k + what); };
     Footprint wanted{.middle_W_m = Vec2(x_m_.At(draw(0)), y_m_.At(draw(1))),
@@ -159,7 +160,7 @@ void SitePlanner::ForEach(const char* kind, const DrawOne& draw_one) {
   const auto config = entry_.OptionalMap(kind);
   if (!config) return;
   const int count = Count(*config, kind);
-  // The keys are read even for a count of zero, so that every episode reports typing errors.
+  // Keys are read even if the count is zero, so that every episode reports typing errors.
   reads_only_ = count == 0;
   for (int n = 1; n <= std::max(count, 1); ++n) {
     draw_one(*config, StreamOf(fmt::format("{}/{}", kind, n)), n);
@@ -196,7 +197,7 @@ void SitePlanner::Road() {
   }
 }
 
-/// Spilled or spread soil, below all other things.
+/// Patches of spilled or spread soil. Later objects may cover them.
 void SitePlanner::Patches() {
   ForEach("patches", [&](const ConfigMap& config, const Stream& stream, int) {
     const double size_m =
@@ -211,7 +212,7 @@ void SitePlanner::Patches() {
   });
 }
 
-/// Ruts of machines that entered over a side and took a random path.
+/// Ruts of machines that entered the area from one side and drove along a random path.
 void SitePlanner::Tracks() {
   ForEach("tracks", [&](const ConfigMap& config, const Stream& stream, int) {
     const auto [gauge_m, rut_m] = ReadRutSize(config, kGauge_m, kRut_m);
@@ -237,8 +238,8 @@ void SitePlanner::Tracks() {
   });
 }
 
-/// Adds the road's soil, ruts and ridges, if requested. Returns their reach beyond the road's
-/// edges.
+/// Adds the road's soil, ruts and windrows, as far as requested. Returns their extent beyond the
+/// road's edges.
 double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
                               const std::string& soil) {
   const auto shares = [&](const std::string& of) -> ShareRow {
@@ -255,7 +256,8 @@ double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
     const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
     for (int n = 1; n <= count; ++n) {
       const ShareRow share = shares(fmt::format("ruts/{}", n));
-      constexpr std::uint32_t kDepth = 5000;  // after those of its path
+      // Index of the random number for the depth, beyond those of the path.
+      constexpr std::uint32_t kDepth = 5000;
       ruts_.push_back(fmt::format("{{path_m: {}, gauge_m: {}, width_m: {}, depth_m: {:.4f}}}",
                                   OutlineText(PathAlong(road, aside_m, share)), gauge_m, rut_m,
                                   depth_m.At(share(kDepth))));
@@ -318,7 +320,7 @@ void SitePlanner::Stockpiles() {
   });
 }
 
-/// Panels in a row; a run is one rectangle.
+/// Fence panels. A run of panels in a row occupies one rectangle.
 void SitePlanner::Fences() {
   ForEach("fences", [&](const ConfigMap& config, const Stream& stream, int number) {
     const double panel_m = config.Number("panel_m", Between(0.5, 20, "m"), 3.5);

@@ -9,27 +9,29 @@
 
 namespace tera {
 
-/// Inputs of a random site.
+/// Inputs for drawing a random site.
 struct SiteDraw {
   std::uint64_t seed = 0, episode = 0;
-  /// Existing things: the scenario as written, and the draws of other entries.
+  /// What already stands on the site: the scenario as written, and values drawn by other entries.
   const ConfigMap* scenario = nullptr;
   const std::vector<Config::GivenValue>* drawn = nullptr;
 };
 
-/// The ground and the things of a building site, drawn at random. Returns pairs of key and YAML for
-/// `terrain.regions`, `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`. Each value
-/// is the scenario's own list followed by the drawn items.
+/// Draws the ground and the objects of a construction site at random. Returns pairs of key and YAML
+/// for `terrain.regions`, `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`. Each
+/// value is the scenario's own list followed by the drawn items.
 ///
 /// Frames  W.
-/// Model   A haul road crosses the area `x_m`, `y_m` with one bend. Trenches, berms, stockpiles,
-///         runs of fence panels, and parked or scattered things follow in this order. Each occupies
-///         a rectangle at a free place: `gap_m` from all others and from the scenario's obstacles
-///         and piles, and `clear_m` from machine starts. Each has its own stream,
-///         "randomise/site/<kind>/<number>", so the count of one kind moves another only if both
-///         want the same place. Berms and fences run along the road, if there is one, or across it.
+/// Model   a haul road with one bend crosses the area `x_m`, `y_m`. Then follow, in this order,
+///         trenches, berms, stockpiles, rows of fence panels, and parked or scattered objects. Each
+///         gets a free rectangle: at least `gap_m` from all others and from the scenario's
+///         obstacles and piles, and `clear_m` from the starts of machines. Berms and fences lie
+///         along the road or, with probability 1/4, across it; without a road they have any
+///         heading.
+///         Each object has its own random stream, "randomise/site/<kind>/<number>". A changed count
+///         of one kind therefore moves another object only if both want the same place.
 /// Omits   slopes under drawn obstacles, and the longer downhill foot of a pile.
-/// Faults  at the entry: unknown keys, and things without a free place.
+/// Faults  reported at the entry: unknown keys, and objects for which no free place was found.
 std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry,
                                                           const SiteDraw& draw);
 

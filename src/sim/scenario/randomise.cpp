@@ -20,12 +20,12 @@
 namespace tera {
 namespace {
 
-constexpr int kMostDraws = 1000;  ///< tries for a place that keeps its distance from all others
+constexpr int kMostDraws = 1000;  ///< tries to find a place that is far enough from all others
 constexpr std::array<std::string_view, 5> kKinds = {"key", "together", "keys", "places", "site"};
 constexpr std::array<std::string_view, 5> kOfKey = {"uniform", "log_uniform", "normal", "integer",
                                                     "choice"};
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that represents the number exactly.
 std::string NumberText(double value) { return fmt::format("{}", value); }
 
 struct Interval {
@@ -34,7 +34,7 @@ struct Interval {
   double At(double share) const { return lower + share * (upper - lower); }
 };
 
-/// Two numbers, the second not below the first.
+/// Reads two numbers, of which the second is not less than the first.
 Interval IntervalAt(const ConfigMap& entry, std::string_view key, const Range& range) {
   const std::vector<double> ends = entry.Numbers(key, range, 2, 2);
   if (ends.size() != 2) return {};
@@ -71,7 +71,7 @@ class Draw {
   std::vector<Config::GivenValue> values_;
 };
 
-/// The only one of `keys` in `entry`; a fault if there is none, or more.
+/// The one of `keys` that the entry has. Reports a fault if it has none or several.
 std::optional<std::string_view> OneOf(const ConfigMap& entry,
                                       std::span<const std::string_view> keys) {
   std::optional<std::string_view> found;
@@ -97,7 +97,7 @@ void Draw::Entry(const ConfigMap& entry) {
   if (*kind == "site") WholeSite(entry);
 }
 
-/// A random index below `count`, by `weights` if there are any.
+/// A random index less than `count`, with `weights` as probabilities if given.
 std::size_t Draw::Chosen(const ConfigMap& entry, std::size_t count, const Stream& stream) const {
   if (count == 0) return 0;
   std::vector<double> weights(count, 1.0);
@@ -115,7 +115,7 @@ std::size_t Draw::Chosen(const ConfigMap& entry, std::size_t count, const Stream
   return count - 1;
 }
 
-/// A normal number, cut by `within`. `share` is its cumulative probability.
+/// A normal number, truncated by `within`. `share` is its cumulative probability.
 double Draw::Normal(const ConfigMap& entry, double share) const {
   const std::vector<double> of = entry.Numbers("normal", Any(""), 2, 2);
   if (of.size() != 2 || of[1] <= 0) {
@@ -135,7 +135,7 @@ double Draw::Normal(const ConfigMap& entry, double share) const {
       return of[0];
     }
   }
-  // Far out in a tail, shares round to 0 or 1, where the quantile is infinite.
+  // In a far tail the cumulative probability rounds to 0 or 1, where the quantile is infinite.
   constexpr double kLeast = std::numeric_limits<double>::min();
   constexpr double kMost = 1 - std::numeric_limits<double>::epsilon() / 2;
   const double drawn = quantile(normal, std::clamp(below.At(share), kLeast, kMost));
@@ -203,7 +203,7 @@ void Draw::Correlated(const ConfigMap& entry) {
   const auto n = static_cast<Eigen::Index>(count);
   const Eigen::MatrixXd alike = Eigen::MatrixXd::Constant(n, n, correlation) +
                                 (1 - correlation) * Eigen::MatrixXd::Identity(n, n);
-  // Also handles a semidefinite matrix: all numbers are equal at a correlation of 1.
+  // LDLT also handles a semidefinite matrix. At a correlation of 1 all numbers are equal.
   const auto factor = alike.ldlt();
   Eigen::VectorXd drawn(n);
   const Stream stream = StreamOf(fmt::format("{}", fmt::join(keys, " ")));
@@ -267,7 +267,7 @@ void Draw::WholeSite(const ConfigMap& entry) {
   for (auto& [key, yaml] : DrawSite(site, draw)) {
     lists.push_back({key, std::move(yaml), fmt::format("{} (drawn)", entry.Place())});
   }
-  // Below the draws of other entries for items of the same lists.
+  // Inserted first, so that other entries' draws for items of the same lists override these.
   values_.insert(values_.begin(), lists.begin(), lists.end());
 }
 

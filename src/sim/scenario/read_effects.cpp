@@ -17,7 +17,7 @@
 namespace tera {
 namespace {
 
-/// Reads the effects of one machine, target by target. A name may denote only one target.
+/// Reads the effects of a machine, target by target. Each name may denote only one target.
 class TargetReader {
  public:
   explicit TargetReader(const ConfigMap& config) : config_(config) {}
@@ -43,7 +43,7 @@ class TargetReader {
     return ReadEffects(*map, target, library);
   }
 
-  /// The learned effect of an axis whose effects are read.
+  /// The learned effect of an axis.
   std::optional<LearnedEffect> ReadLearned(const std::string& name, const MachineModel& model,
                                            std::size_t axis) const {
     if (config_.IsText(name)) return std::nullopt;
@@ -67,7 +67,7 @@ void ReadSensorEffects(const MachineModel& model, TargetReader* reader, SensorDe
   }
 }
 
-/// Reports effects that cannot act on the target `name`.
+/// Reports effects that cannot apply to the target `name`.
 void Report(const ConfigMap& effects, const std::string& name,
             const std::vector<EffectFault>& faults) {
   for (const EffectFault& fault : faults) {
@@ -76,7 +76,7 @@ void Report(const ConfigMap& effects, const std::string& name,
   }
 }
 
-/// Reports all effects that change nothing on their target.
+/// Reports all effects that would change nothing on their target.
 void CheckEffects(const ConfigMap& effects, const MachineModel& model,
                   const std::vector<SensorDescription>& sensors) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {

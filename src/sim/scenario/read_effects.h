@@ -9,14 +9,15 @@
 
 namespace tera {
 
-/// `effects:` of a scenario, for all its machines; nothing without the key.
+/// The scenario's mapping `effects:`, which is for all machines. Empty without that key.
 std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario);
 
-/// Reads the effects of one machine into its model and its sensors: `effects:` of the machine's
-/// mapping and, over it, the mapping of the machine's name in `scenario_effects`. Targets are the
-/// names of joints, running gears, pumps and sensors, of one axis of a set of encoders
-/// "encoders/boom", and `base` for the motion of the whole machine. Each fault goes to its own
-/// mapping. The combined effects are checked only if the machine's own description is `sound`.
+/// Reads the effects of one machine into its model and sensors. Two mappings give them: `effects:`
+/// of the machine, and with higher priority the mapping with the machine's name in
+/// `scenario_effects`. Keys are names of targets: joints, running gears, pumps, sensors, one axis
+/// of a set of encoders ("encoders/boom"), or `base` for the motion of the whole machine. A fault
+/// is reported at its own mapping. The combined effects are checked only if the rest of the
+/// machine's description is valid (`sound`).
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
                         const std::string& name, bool sound, MachineModel* model,
                         std::vector<SensorDescription>* sensors);

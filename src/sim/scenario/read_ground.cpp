@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Mechanisms of track slip, which the soil's shear already produces.
+/// Mechanisms of track slip. The shear of the soil model already produces slip.
 constexpr std::string_view kOfSlip[] = {"track_slip",      "slope_slip", "side_slip",
                                         "effective_gauge", "icr_shift",  "rolling_resistance",
                                         "digging_force"};
@@ -29,13 +29,13 @@ GroundModel ReadGroundModel(const ConfigMap& config) {
   return GroundModel::kTerramechanics;
 }
 
-/// Reports a fault of a base effect of the machine in the entry `config`.
+/// Reports a fault of a base effect of this machine.
 void FaultOfBase(const ConfigMap& config, std::string_view mechanism, const std::string& finding) {
   const ConfigMap base = config.MapOrFile("machine").Map("effects").Map("base");
   base.Fault(mechanism, fmt::format("'{}' {}", mechanism, finding));
 }
 
-/// Whether the root stands on running gear on its left and its right.
+/// Whether the root link stands on running gear on its left and right side.
 bool StandsOnTracks(const MachineModel& model) {
   bool left = false, right = false, on_root = true;
   for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
@@ -45,7 +45,7 @@ bool StandsOnTracks(const MachineModel& model) {
   return left && right && on_root && model.gauge_m > 0 && !model.fixed_base;
 }
 
-/// The force on a tool of the root link cannot be separated from that on the running gear.
+/// Reports a tool on the root link: its force could not be separated from that on the running gear.
 void CheckTools(const ConfigMap& config, const MachineModel& model) {
   for (const Shovel& shovel : model.ground_tools.shovels) {
     if (shovel.link != 0) continue;

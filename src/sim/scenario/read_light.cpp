@@ -17,21 +17,22 @@
 namespace tera {
 namespace {
 
-constexpr double kLowSun_deg = 2;  ///< the sky model does not hold below it
+constexpr double kLowSun_deg = 2;  ///< the sky model is not valid below it
 constexpr double kLampLight_klx = 0.03;
-constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
+constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< default sun: a clear morning
 
 Vec3 ReadToSun(const ConfigMap& config) {
   const double azimuth_rad =
       config.Number("sun_azimuth_deg", Between(-360, 360, "deg"), kSunAzimuth_deg) *
-      kDeg;  // from north, east +
+      kDeg;  // clockwise from north
   const double elevation_rad =
       config.Number("sun_elevation_deg", Between(1, 90, "deg"), kSunElevation_deg) * kDeg;
   return {std::sin(azimuth_rad) * std::cos(elevation_rad),
           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad)};
 }
 
-/// Exposure value of a light meter on level ground, at least that under a site's lamps.
+/// Exposure value that a light meter on level ground gives, but at least that for the lamps of a
+/// site.
 double MeteredEv100(const Environment& environment) {
   const double sin_height = std::max(environment.to_sun_W.z(), 0.0);
   const double sky_klx = ClearSkyIlluminance_lx(std::asin(environment.to_sun_W.z())) / 1000;
@@ -41,8 +42,8 @@ double MeteredEv100(const Environment& environment) {
   return Ev100OfIlluminance(std::max(left * level_klx, kLampLight_klx));
 }
 
-/// Sets the sun's position and light at a time, and the sky's light if the sun's position does not
-/// give it.
+/// Sets the sun's position and light for a time. Also sets the sky's light where the sun's
+/// elevation is too low for the sky model.
 void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment* environment) {
   const std::string text = config.Text("time");
   for (const char* key : {"sun_azimuth_deg", "sun_elevation_deg"}) {
@@ -106,8 +107,8 @@ Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin) {
     config.Fault("sun_illuminance_klx", "the sun is below the horizon at that time; leave it out");
   }
   environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
-  // Read as optional, so that the resolved scenario has no default visibility: written there, it
-  // would be read back as fog that somebody asked for.
+  // Read as optional, so that the resolved scenario contains no default visibility. As an explicit
+  // value it would be read back as fog.
   if (const auto visibility_m = config.OptionalNumber("visibility_m", Positive("m"))) {
     environment.fog_visibility_m = environment.weather.visibility_m = *visibility_m;
   }

@@ -12,10 +12,10 @@
 
 namespace tera {
 
-/// Reads the key `environment` of a scenario: sun, sky and air.
+/// Reads the key `environment`: sun, sky and air.
 Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin);
 
-/// The scenario's machine of that name, or null.
+/// Returns the scenario's machine with this name, or null.
 using MachineOfName = std::function<const MachineModel*(const std::string& name)>;
 
 /// Reads the key `lamps` of a scenario.

@@ -13,7 +13,7 @@ constexpr std::string_view kNeedOfMachine =
     "{TARGET: {MECHANISM: {PARAMETER: HALF_WIDTH}}}; a target is a joint, a track or wheel set, a "
     "pump, a sensor or base";
 
-/// The mapping at `key`, if there is one.
+/// The mapping at `key`. Empty without that key.
 std::optional<ConfigMap> MappingOf(std::string_view need, const ConfigMap& config,
                                    std::string_view key) {
   return IsMappingOf(need, config, key) ? config.OptionalMap(key) : std::nullopt;

@@ -10,14 +10,14 @@
 
 namespace tera {
 
-/// `tolerances:` of a scenario, for all its machines; nothing without the key.
+/// The scenario's mapping `tolerances:`, which is for all machines. Empty without that key.
 std::optional<ConfigMap> ReadScenarioTolerances(const ConfigMap& scenario);
 
-/// Reads the tolerances of one machine: `tolerances:` of the machine's mapping and, over it, the
-/// mapping of the machine's name in `scenario_tolerances`. The syntax is that of effects, with half
-/// widths as the values of any parameters:
+/// Reads the tolerances of one machine. Two mappings give them: `tolerances:` of the machine, and
+/// with higher priority the mapping with the machine's name in `scenario_tolerances`. The syntax is
+/// that of effects; values are half widths of the tolerance, for any parameter:
 ///
-///     tolerances: {boom: {rate_gain: {gain: 0.06}}, imu_boom: {mount_rotation: {roll_deg: 0.5}}}
+/// tolerances: {boom: {rate_gain: {gain: 0.06}}, imu_boom: {mount_rotation: {roll_deg: 0.5}}}
 ///
 /// Faults, including negative and unknown values, go to the mappings.
 Tolerances ReadMachineTolerances(const ConfigMap& machine,

@@ -5,7 +5,8 @@
 
 namespace tera {
 
-/// Reads the mapping `wear` of a scenario, a machine or an obstacle. `of_all` has the defaults.
+/// Reads the mapping `wear` of a scenario, a machine or an obstacle. `of_all` contains the
+/// defaults.
 Wear ReadWear(const ConfigMap& config, const Wear& of_all);
 
 }  // namespace tera

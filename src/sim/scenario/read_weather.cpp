@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostWind_mps = 40, kMostSnowfall_mmph = 20;
 constexpr double kMostWater_m = 0.5, kMostSnow_m = 0.5;
 constexpr double kMostCells = 4e6;
-constexpr double kLeastCloud = 0.5;  ///< smallest cloud cover with rain
+constexpr double kLeastCloud = 0.5;  ///< smallest cloud cover if it rains
 constexpr double kWarmestSnow_degc = 5, kColdestRain_degc = -10;
 
 DustModel ReadDust(const ConfigMap& config) {
@@ -75,7 +75,7 @@ void CheckSky(const ConfigMap& config, const Environment& environment) {
   check("snowfall_mmph", "snow", environment.weather.snowfall_mmph);
 }
 
-/// Visibility through fog and what falls together: extinctions add.
+/// Visibility through fog and precipitation together: extinctions add.
 double VisibilityTogether_m(double visibility_m, const Weather& weather) {
   const double falling_1pm =
       Rain(weather.rain_mmph).Extinction_1pm() + Snowfall(weather.snowfall_mmph).Extinction_1pm();

@@ -26,11 +26,11 @@
 namespace tera {
 namespace {
 
-/// A month; a longer run is a typing error.
+/// One month. A longer duration is rejected as a typing error.
 constexpr double kLongest_s = 31 * 86400.0;
-constexpr double kMostSeed = 9e15;  ///< below 2^53, so every YAML reader keeps it exactly
+constexpr double kMostSeed = 9e15;  ///< below 2^53, so that every YAML reader keeps it exactly
 constexpr double kSlowest_hz = 100,
-                 kFastest_hz = 5000;  ///< step rates at which machines and soil are stable
+                 kFastest_hz = 5000;  ///< range of step rates at which machines and soil are stable
 constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
 constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
@@ -40,7 +40,7 @@ constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr double kMostTip_deg = 75;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
-/// Whether the types of all sensors are known. `sensors` gets only the known ones.
+/// Reads sensors of known types into `sensors`. Returns whether all types are known.
 bool ReadSensors(const ConfigMap& config, const MachineModel& model,
                  std::vector<SensorDescription>* sensors) {
   const auto rig = config.Has("rig") ? std::optional(config.MapOrFile("rig")) : std::nullopt;
@@ -73,19 +73,20 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
   return all_known;
 }
 
-/// The scenario's settings for its machines, by name.
+/// Settings of the scenario that apply to machines by name.
 struct OfAllMachines {
   std::optional<ConfigMap> effects, tolerances;
   AbsentMeshes absent = AbsentMeshes::kFault;
 };
 
-/// Reads `without_meshes`. The resolved text has the key only if it is given.
+/// Reads `without_meshes`. The resolved text contains the key only if it is given.
 AbsentMeshes ReadAbsentMeshes(const ConfigMap& config) {
   const bool without = config.Has("without_meshes") && config.Boolean("without_meshes", false);
   return without ? AbsentMeshes::kLeftOut : AbsentMeshes::kFault;
 }
 
-/// Skips the settings of a machine's parts if one of them is unknown.
+/// Marks the settings of a machine's parts as read if one of the parts is unknown. This avoids
+/// follow-up faults.
 void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
                         const std::string& name) {
   for (const char* key : {"effects", "tolerances"}) description.Has(key);
@@ -94,14 +95,15 @@ void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
   }
 }
 
-/// Skips the keys of a machine whose description has faults.
+/// Marks the keys of a machine as read if its description has faults. This avoids follow-up faults.
 void LeaveUnread(const ConfigMap& config, const ConfigMap& description, const OfAllMachines& all,
                  const std::string& name) {
   for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
   LeaveTargetsUnread(description, all, name);
 }
 
-/// A machine without its height and tilt, which follow after all machines have shaped the ground.
+/// Reads a machine, without height and tilt. These are set after all machines have modified the
+/// ground.
 ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& all) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
@@ -130,13 +132,13 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& a
   return machine;
 }
 
-/// Raises the ground by the machines' effects, and sets the machines on it.
+/// Raises the ground by the effects of all machines, then places the machines on it.
 void PlaceOnGround(Site* site, std::vector<ScenarioMachine>* machines) {
   for (const ScenarioMachine& machine : *machines) RaiseGround(machine.placement.model, site);
   for (ScenarioMachine& machine : *machines) SetOnGround(site->surface(), &machine.placement);
 }
 
-/// Reads `bed`. Its hinge is the lower edge of its tail, unless said otherwise.
+/// Reads `bed`. By default the hinge is the lower rear edge of the bed.
 void ReadBed(const ConfigMap& config, ScenarioObstacle* obstacle) {
   const Range size = Between(kLeastBed_m, kLargestBed_m, "m");
   SoilBed bed;
@@ -158,7 +160,7 @@ void ReadBed(const ConfigMap& config, ScenarioObstacle* obstacle) {
   obstacle->bed = bed;
 }
 
-/// Reads `tips`: how the bed is tipped over time.
+/// Reads `tips`: the angle of the bed over time.
 void ReadTips(const ConfigMap& config, ScenarioObstacle* obstacle) {
   if (!config.Has("tips")) return;
   std::vector<TippingBed::Angle>& angles = obstacle->tipping.angles;
@@ -176,7 +178,7 @@ void ReadTips(const ConfigMap& config, ScenarioObstacle* obstacle) {
   }
 }
 
-/// Centre of the boxes, each weighed by its volume.
+/// Centroid of boxes.
 Vec3 CentreOf(const std::vector<CollisionBox>& boxes) {
   Vec3 sum_m4 = Vec3::Zero();
   double volume_m3 = 0;
@@ -187,7 +189,7 @@ Vec3 CentreOf(const std::vector<CollisionBox>& boxes) {
   return volume_m3 > 0 ? Vec3(sum_m4 / volume_m3) : Vec3::Zero();
 }
 
-/// Reads `dynamic`. Only a rigid obstacle that starts at rest may have it.
+/// Reads `dynamic`. Only an obstacle that is rigid and starts at rest may have it.
 void ReadDynamic(const ConfigMap& config, ScenarioObstacle* obstacle) {
   const auto dynamic = config.OptionalMap("dynamic");
   if (!dynamic) return;
@@ -210,8 +212,8 @@ void ReadDynamic(const ConfigMap& config, ScenarioObstacle* obstacle) {
   if (!obstacle->gait.limbs.empty()) refuse("gait");
 }
 
-/// Reads `wheels`, nodes of the obstacle's own mesh file. The resolved text has the key only if it
-/// is given.
+/// Reads `wheels`, which are nodes of the obstacle's own mesh file. The resolved text contains the
+/// key only if it is given.
 void ReadWheels(const ConfigMap& config, ScenarioObstacle* obstacle) {
   if (!config.Has("wheels")) return;
   for (const ConfigMap& item : config.List("wheels")) {
@@ -271,7 +273,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
   return obstacle;
 }
 
-/// Index of the item that `key` names among `names`; 0 and a fault if there is none.
+/// Index of the name at `key` among `names`. If it is missing there, reports a fault and returns 0.
 std::size_t IndexOfNamed(const ConfigMap& config, const char* key,
                          const std::vector<std::string>& names) {
   const std::string name = config.Text(key);
@@ -283,7 +285,7 @@ std::size_t IndexOfNamed(const ConfigMap& config, const char* key,
   return 0;
 }
 
-/// Reads one of `slings`. Machines and obstacles are already known, at least one of each.
+/// Reads an entry of `slings`. There is at least one machine and one obstacle.
 Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
   std::vector<std::string> machines, dynamic, links;
   std::vector<std::size_t> obstacle_of;
@@ -319,8 +321,8 @@ Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
   return sling;
 }
 
-/// Lets the run's weather act on the ground. The surface is wet from the start, unless the weather
-/// before says how it was.
+/// Sets the weather that acts on the ground during the run. In rain the surface is wet from the
+/// start, unless the weather before the run is given.
 void LetWeatherAct(const ConfigMap& environment, double rain_mmph, Site* site) {
   WeatherSpell weather{.rain_mmph = rain_mmph};
   weather.evaporation_mmpd =
@@ -334,7 +336,7 @@ void LetWeatherAct(const ConfigMap& environment, double rain_mmph, Site* site) {
                      "no weather during the run"});
 }
 
-/// The site's origin: from the scenario, else from the terrain's GeoTIFF, else a default.
+/// Origin of the site: from the scenario, else from the terrain's GeoTIFF, else the default.
 SiteOrigin ReadOrigin(const ConfigMap& config, const Site& terrain) {
   SiteOrigin origin = kDefaultOrigin;
   if (terrain.georeference()) origin = *terrain.georeference();
@@ -374,7 +376,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   Scenario scenario;
   scenario.name = config.Text("name");
   scenario.seed = SeedOf(config);
-  config.Has("randomise");  // handled by LoadScenario
+  config.Has("randomise");  // LoadScenario handles this key
   if (const auto drawn = config.OptionalMap("drawn")) {
     drawn->Integer("episode", AtLeast(0, ""));
     scenario.drawn = drawn->Texts("values");
@@ -454,14 +456,15 @@ RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle) {
     highest_m =
         std::max(highest_m, box.X_BG.translation().z() + 0.5 * up_G.cwiseAbs().dot(box.size_m));
   }
-  // A dynamic obstacle may be lifted or tipped: gear collides with it at any height.
+  // A dynamic obstacle may be lifted or tipped, so running gear collides with it at any height.
   if (!obstacle.dynamic) rigid.rise_m = obstacle.height_above_ground_m + highest_m;
   return rigid;
 }
 
 namespace {
 
-/// Rotation from upright to the mean slope of the ground below an obstacle's boxes.
+/// Rotation from upright to perpendicular to the mean slope of the ground below an obstacle's
+/// boxes.
 Mat3 LeanOf(const ScenarioObstacle& obstacle, const Vec2& xy_m, const TerrainSurface& ground) {
   double reach_m = 0;
   for (const CollisionBox& box : obstacle.collision) {

@@ -27,46 +27,48 @@ namespace tera {
 
 /// A machine in a scenario: its model, start, operator and sensors.
 struct ScenarioMachine {
-  MachinePlacement placement;  ///< on the ground; the resting pose is estimated from the terrain
+  /// On the ground; height and tilt at rest are estimated from the terrain.
+  MachinePlacement placement;
   OperatorPlan driver;
   std::vector<SensorDescription> sensors;
-  Tolerances tolerances;  ///< the owner's tolerances, in addition to the fixed ones
-  Wear wear;              ///< wear of all its parts
+  Tolerances tolerances;  ///< the owner's tolerances, in addition to the built-in ones
+  Wear wear;
 };
 
-/// A point of a moving obstacle's path.
 struct PathPoint {
   double t_s = 0;
   Vec2 xy_W_m = Vec2::Zero();
 };
 
-/// How the bed of an obstacle tips, with nodes of the obstacle's own mesh.
+/// Tipping of an obstacle's bed. Meshes are nodes of the obstacle's own file.
 struct TippingBed {
-  Vec3 hinge_B_m = Vec3::Zero();       ///< on the line across about which the floor turns
-  Vec3 gate_B_m = Vec3::Zero();        ///< the upper edge of its gate, from which that hangs
-  std::optional<Visual> visual, gate;  ///< what turns, and what hangs
+  /// A point on the hinge; the bed turns about the y axis through it.
+  Vec3 hinge_B_m = Vec3::Zero();
+  /// A point on the upper edge of the tail gate, from which the gate hangs.
+  Vec3 gate_B_m = Vec3::Zero();
+  std::optional<Visual> visual, gate;  ///< meshes of the turning bed and of the gate
   struct Angle {
     double t_s, angle_rad;
   };
-  std::vector<Angle> angles;  ///< in between they are linear
+  std::vector<Angle> angles;  ///< linear in between
 };
 
 /// A named point of an obstacle, in the frame of its mesh.
 struct ObstacleKeypoint {
   std::string name;
   Vec3 p_B_m = Vec3::Zero();
-  double radius_m = 0;  ///< largest depth below its surface at which it counts as visible
-  int limb = -1;        ///< limb of its gait that carries it; -1: the body
+  double radius_m = 0;  ///< a visible surface may lie up to this distance in front of the point
+  int limb = -1;        ///< index of the limb that carries it; -1: the body
 };
 
-/// A wheel of an obstacle. It turns with the obstacle's forward motion along its path.
+/// A wheel of an obstacle. It turns as the obstacle moves along its path.
 struct ObstacleWheel {
-  Visual visual;                 ///< its middle at its origin, its axle along y
+  Visual visual;                 ///< centre at the mesh's origin, axle along y
   Vec3 axle_B_m = Vec3::Zero();  ///< in the frame of the obstacle's mesh
   double radius_m = 1;
 };
 
-/// Mass of an obstacle that moves by forces: it can be pushed, lifted, tipped and stacked.
+/// Mass of an obstacle that forces can push, lift, tip and stack.
 struct ObstacleMass {
   double mass_kg = 0;
   Vec3 com_B_m = Vec3::Zero();  ///< in the frame of the obstacle's mesh
@@ -78,31 +80,31 @@ struct ScenarioObstacle {
   SemanticClass label = SemanticClass::kRock;
   Visual visual;
   std::vector<CollisionBox> collision;
-  std::optional<SoilBed> bed;           ///< soil can be dumped into it
-  TippingBed tipping;                   ///< of the bed
-  std::optional<ObstacleMass> dynamic;  ///< without it, no force moves the obstacle
+  std::optional<SoilBed> bed;  ///< container into which soil can be dumped
+  TippingBed tipping;
+  std::optional<ObstacleMass> dynamic;  ///< empty: no force moves the obstacle
   Vec2 xy_W_m = Vec2::Zero();
   double yaw_rad = 0;
   double height_above_ground_m = 0;
-  std::vector<PathPoint> path;  ///< empty: it stands still
+  std::vector<PathPoint> path;  ///< empty: the obstacle does not move along a path
   std::vector<ObstacleKeypoint> keypoints;
   std::vector<ObstacleWheel> wheels;
   Gait gait;
-  Wear wear;  ///< none for people, rocks and plants
+  Wear wear;  ///< ignored for people, rocks and plants
 };
 
-/// A site, its machines and objects, and their sensors: everything that a run needs, and nothing
-/// that a run changes. Runs share it; copies share the site.
+/// A site with its machines, objects and sensors: everything that a run needs and does not change.
+/// Several runs may share a scenario. Copies share the site.
 struct Scenario {
   std::string name;
   std::uint64_t seed = 0;
   double duration_s = 0;
   double physics_rate_hz = 500;
-  double settle_s = 0;  ///< settling time until t = 0, with neutral levers
+  double settle_s = 0;  ///< time before t = 0 in which machines settle, with neutral levers
   SiteOrigin origin;
   Environment environment;
-  std::shared_ptr<const Site> site;           ///< with the ground raised by the machines' effects
-  std::shared_ptr<const SiteMesh> site_mesh;  ///< may be null
+  std::shared_ptr<const Site> site;  ///< includes ground that effects of the machines raise
+  std::shared_ptr<const SiteMesh> site_mesh;  ///< null without the key `environment.mesh`
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   std::vector<Sling> slings;
@@ -110,32 +112,35 @@ struct Scenario {
   std::vector<ScenarioLamp> lamps;
   TerrainRecord record;
   std::optional<double>
-      poses_hz;  ///< rate at which poses of links, sensors and obstacles are recorded
-  std::vector<std::string> drawn;  ///< "key: value" of each value that `randomise:` drew
-  /// Its input files other than YAML, without the files that meshes name.
+      /// Rate at which poses of links, sensors and obstacles are recorded; empty: not recorded.
+      poses_hz;
+  std::vector<std::string> drawn;  ///< "key: value" for each value that `randomise:` drew
+  /// Input files other than YAML. Files that a mesh refers to are not listed.
   std::vector<InputFile> inputs;
 };
 
-/// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.
+/// Reads a scenario and all files that it names. Faults go to `config`; call Config::Finish before
+/// using the result.
 Scenario ReadScenario(const ConfigMap& config);
 
-/// The seed of all its streams.
+/// The seed of all the scenario's random streams.
 std::uint64_t SeedOf(const ConfigMap& config);
 
 /// An obstacle's boxes for collisions with machines.
 RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
 
-/// Pose and velocity of an obstacle at `t_ns` on the given ground, on its path or where it starts:
-/// upright, or normal to the ground's mean slope if it is dynamic.
+/// Pose and velocity of an obstacle at `t_ns`, on its path or at its start, on the given ground. It
+/// stands upright; a dynamic obstacle stands perpendicular to the mean slope.
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);
 
-/// Angle by which its bed is tipped at `t_ns`.
+/// Angle of the tipped bed at `t_ns`.
 double TipOf(const ScenarioObstacle& obstacle, TimeNs t_ns);
 
-/// A frame of its bed that is the mesh's as long as the bed lies.
+/// Frame of the tipped bed, relative to the obstacle's mesh. It is the identity while the bed is
+/// down.
 Pose TippedBed(const ScenarioObstacle& obstacle, TimeNs t_ns);
 
-/// Distance along its path at `t_ns`.
+/// Distance travelled along the path at `t_ns`.
 double TravelOf(const ScenarioObstacle& obstacle, TimeNs t_ns);
 
 }  // namespace tera

@@ -22,7 +22,7 @@ constexpr double kLargestScale = 1e4;
 
 using Placement = Eigen::Affine3d;
 
-/// Moves a mesh of the file to its pose on the site.
+/// Transforms a mesh from the file's axes to W.
 void Place(const Placement& X_WG, Mesh* mesh) {
   const Eigen::Affine3f X = X_WG.cast<float>();
   const Eigen::Matrix3f turn = X.linear() / std::cbrt(X.linear().determinant());
@@ -32,7 +32,8 @@ void Place(const Placement& X_WG, Mesh* mesh) {
   }
 }
 
-/// A node of the file (the whole file without a name) in W; nothing after a fault at `key`.
+/// Loads a node of the file, in W; the whole file if no node is named. Returns nothing after a
+/// fault at `key`.
 std::optional<Mesh> Load(const ConfigMap& config, std::string_view key,
                          const std::filesystem::path& file, const std::string& node,
                          const Placement& X_WG, SiteMesh* site) {
@@ -57,7 +58,7 @@ SemanticClass LabelAt(const ConfigMap& config) {
   return SemanticClass::kStructure;
 }
 
-/// The box of a mesh from above.
+/// Extent of a mesh in x and y.
 struct Extent {
   Vec2 low_m = Vec2::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m;
 };
@@ -73,18 +74,19 @@ Extent ExtentOf(const Mesh& mesh) {
   return extent;
 }
 
-/// Number of vertices along `size_m`: odd, so that W's origin is a vertex.
+/// Number of vertices along `size_m`. It is odd, so that the origin of W is a vertex.
 int VerticesOver(double size_m, double cell_m) {
   return 2 * static_cast<int>(std::floor(0.5 * size_m / cell_m + 1e-9)) + 1;
 }
 
-/// The terrain's size, or the largest rectangle about W's origin that the mesh covers.
+/// Size of the terrain if given. Otherwise the largest rectangle that is centred on the origin of W
+/// and covered by the mesh.
 Vec2 SiteSize_m(const ConfigMap& terrain, const Extent& extent) {
   if (terrain.Has("size_m")) return terrain.Vector2("size_m", Positive("m"));
   return 2 * extent.high_m.cwiseMin(-extent.low_m);
 }
 
-/// The ground from a mesh's top. A site with uncovered parts is a fault.
+/// Sets the ground from the upper surface of a mesh. Parts of the site without mesh are a fault.
 void SetGround(const ConfigMap& config, const ConfigMap& terrain, const Mesh& mesh,
                SiteMesh* site) {
   const double cell_m =

@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// A visible part of a site's mesh: a wall, a building.
+/// A visible part of a site's mesh, such as a wall or a building.
 ///
 /// Frames  W.
 struct SiteMeshPart {
@@ -25,14 +25,14 @@ struct SiteMeshPart {
   Mesh mesh;
 };
 
-/// A real place as a mesh, named by `environment.mesh`.
+/// A mesh of a real place, from `environment.mesh`.
 ///
-/// Frames  W; the file's axes (glTF's y up turned to z up) placed by `xyz_m` and `rpy_deg`, after
-///         `scale`.
-/// Model   Parts keep their shape and textures. With `ground`, the top of a node (or of the whole
-///         mesh) is the initial ground: heights every `cell_m`, drawn in the mesh's colours until
-///         disturbed.
-/// Omits   overhangs of the ground: everything below its top is soil.
+/// Frames  W. The file's axes (after glTF's y up is turned to z up) are scaled by `scale`, then
+///         placed by `xyz_m` and `rpy_deg`.
+/// Model   parts keep their shape and textures. With the key `ground`, the upper surface of a node,
+///         or of the whole mesh, becomes the initial ground. Its heights are sampled every
+///         `cell_m`. It has the colours of the mesh until it is disturbed.
+/// Omits   overhangs of the ground: everything below the upper surface is soil.
 struct SiteMesh {
   std::vector<SiteMeshPart> parts;
   Textures textures;
@@ -43,9 +43,9 @@ struct SiteMesh {
   SiteWalls Walls() const;
 };
 
-/// Reads `file`, `xyz_m`, `rpy_deg`, `scale`, `parts` and `ground`. A fault goes to `config` and
-/// gives null. `size_m` of `terrain` is the size of the site; by default it is as large about W's
-/// origin as the mesh.
+/// Reads the keys `file`, `xyz_m`, `rpy_deg`, `scale`, `parts` and `ground`. After a fault, which
+/// goes to `config`, the result is null. `size_m` of `terrain` is the size of the site. By default
+/// the site is the largest rectangle around the origin of W that the mesh covers.
 std::shared_ptr<const SiteMesh> ReadSiteMesh(const ConfigMap& config, const ConfigMap& terrain);
 
 }  // namespace tera

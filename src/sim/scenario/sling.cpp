@@ -8,8 +8,8 @@
 namespace tera {
 namespace {
 
-constexpr double kStretch = 0.01;      ///< of a leg that carries the load alone
-constexpr double kDampingRatio = 0.1;  ///< of the load on one leg
+constexpr double kStretch = 0.01;      ///< strain of a rope that carries the whole load
+constexpr double kDampingRatio = 0.1;  ///< for the load on one rope
 
 }  // namespace
 

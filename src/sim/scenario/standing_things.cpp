@@ -14,7 +14,7 @@ namespace {
 constexpr double kObstacle_m = 1.5;  ///< half width of an existing obstacle
 constexpr double kPileFootOverHeight = 1.8;
 
-/// Config of one line of YAML. Its faults are reported where it is read.
+/// Parses a line of YAML. Does not report faults, because the scenario's reader does.
 std::optional<Config> Alone(const std::string& yaml) {
   try {
     return Config::FromText(yaml, "");
@@ -23,7 +23,7 @@ std::optional<Config> Alone(const std::string& yaml) {
   }
 }
 
-/// The place drawn for a key, the last of several.
+/// The position drawn for a key; the last one if there are several.
 std::optional<Vec2> DrawnPlace(const std::vector<Config::GivenValue>& drawn,
                                const std::string& key) {
   for (auto value = drawn.rbegin(); value != drawn.rend(); ++value) {

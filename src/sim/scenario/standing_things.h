@@ -7,11 +7,12 @@
 
 namespace tera {
 
-/// Occupied squares of a scenario's ground without its draws: about each machine start (`clear_m`
-/// to each side), each obstacle and each pile's foot.
+/// Squares of ground that a scenario occupies before a site is drawn: around each start of a
+/// machine (`clear_m` to each side), each obstacle and the foot of each pile.
 ///
-/// Model   places as written, or as `drawn` has them; the scenario is not read.
-/// Omits   places from --set, paths of obstacles.
+/// Model   positions as written in the scenario, or as in `drawn`. The files that the scenario
+///         names are not read.
+/// Omits   positions from --set, paths of obstacles.
 std::vector<Footprint> StandingThings(const ConfigMap& scenario,
                                       const std::vector<Config::GivenValue>& drawn, double clear_m);
 

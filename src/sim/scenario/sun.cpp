@@ -16,7 +16,7 @@ namespace {
 constexpr double kUnixEpoch_jd = 2440587.5;
 constexpr double kSecondsPerDay = 86400;
 
-/// Saemundsson's refraction for the true height; fades out below the horizon, where it has no
+/// Refraction for a true elevation (Saemundsson). It fades out below the horizon, where it has no
 /// effect.
 double Refraction_deg(double height_deg) {
   constexpr double kGone_deg = -2, kFade_deg = 1, kMinutes = 60;

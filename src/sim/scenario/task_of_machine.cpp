@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kMostOffLine_m = 0.3, kMostTurned_rad = 15 * kDeg;
-constexpr double kLeastWindow = 1.5;  ///< radii over which it digs, in lengths of the bucket
+constexpr double kLeastWindow = 1.5;  ///< smallest range of digging radii, in bucket lengths
 constexpr double kDepthStep_m = 0.05;
 constexpr double kWidthRounding_m = 1e-6;
 

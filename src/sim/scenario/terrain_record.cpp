@@ -17,11 +17,12 @@ constexpr GroundRaster kAllRasters[] = {GroundRaster::kHeight, GroundRaster::kCh
                                         GroundRaster::kSoilClass};
 constexpr GroundRaster kDefaultRasters[] = {GroundRaster::kHeight, GroundRaster::kChange,
                                             GroundRaster::kDensity, GroundRaster::kSoilClass};
-constexpr int kDefaultPixels = 4001;  ///< to a side; pixel_m allows a larger raster
-constexpr double kMostCubes = 5e6;    ///< cubes in one box: 145 MB
+/// Largest default raster, in pixels per side; pixel_m allows larger ones.
+constexpr int kDefaultPixels = 4001;
+constexpr double kMostCubes = 5e6;  ///< cubes in one box, which need 145 MB
 constexpr double kShortest_s = 0.01, kLongestInterval_s = 1e6;
 
-/// A length in cells of the site, which must be a whole number.
+/// Converts a length to cells of the site. It must be a whole number of cells.
 int CellsIn(const ConfigMap& config, std::string_view key, const TerrainGrid& site,
             double otherwise_m) {
   constexpr double kMost_m = 100, kRounding = 1e-6;

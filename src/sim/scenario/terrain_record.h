@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// Ground records of a recording, at the start, at the end, and periodically.
+/// What a recording contains of the ground, at the start and the end, and optionally periodically.
 struct TerrainRecord {
   struct Voxels {
     std::string name;
@@ -18,11 +18,11 @@ struct TerrainRecord {
   };
   std::vector<GroundRaster> rasters;
   int columns_per_pixel = 1;
-  std::optional<TimeNs> period_ns;  ///< also at its multiples
+  std::optional<TimeNs> period_ns;  ///< also record at multiples of this
   std::vector<Voxels> voxels;
 };
 
-/// Reads a scenario's `record:`, if there is one. Faults go to `config`.
+/// Reads a scenario's `record:`, if it has one. Faults go to `config`.
 TerrainRecord ReadTerrainRecord(const std::optional<ConfigMap>& config, const TerrainGrid& site);
 
 }  // namespace tera

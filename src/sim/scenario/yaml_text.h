@@ -5,15 +5,16 @@
 
 #include "core/motion.h"
 
-/// Values in YAML syntax, for drawn items of a scenario.
+/// YAML text for values that are drawn for a scenario.
 
 namespace tera {
 
 /// A quoted text with any characters.
 std::string QuotedText(const std::string& text);
-/// A name, quoted if it has characters that a name cannot have. The lookup then refuses it.
+/// A name; quoted if it contains characters that names must not have. The later lookup then rejects
+/// it.
 std::string NameText(const std::string& name);
-/// "[x, y]", to a millimetre.
+/// "[x, y]", rounded to a millimetre.
 std::string PointText(const Vec2& p_m);
 /// "[[x, y], ...]".
 std::string OutlineText(const std::vector<Vec2>& outline_m);

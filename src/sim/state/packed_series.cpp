@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDegrees = 3;
 
-/// Difference modulo 2^64, so that no pair of numbers overflows.
+/// Difference modulo 2^64, which cannot overflow.
 std::int64_t Minus(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
 }
@@ -89,7 +89,7 @@ bool PackedSeries::Unpack(const Block& block, std::size_t rows, std::size_t* str
   if (*stream + kStreams > block.size() || block[*stream].size() != columns) return false;
   const std::string& degrees = block[*stream];
   const std::string* planes = &block[*stream + 1];
-  // A damaged block may claim any row count.
+  // A damaged block may claim any number of rows.
   if (columns > 0 && rows > planes[0].size() / columns) return false;
   for (std::size_t p = 0; p < sizeof(double); ++p) {
     if (planes[p].size() != rows * columns) return false;

@@ -14,14 +14,14 @@ namespace {
 using Grain = TerrainSurface::Grain;
 
 constexpr int kAxes = 3;
-constexpr int kNumberBits = 7;  ///< payload bits of a byte; the eighth marks a continuation
+constexpr int kNumberBits = 7;  ///< payload bits per byte; the eighth bit marks a continuation
 
 void AppendNumber(std::uint64_t n, std::string* bytes) {
   for (; n >> kNumberBits; n >>= kNumberBits) bytes->push_back(static_cast<char>(n | 0x80));
   bytes->push_back(static_cast<char>(n));
 }
 
-/// Wraps 33-bit differences of 32-bit integers to 32 bits.
+/// Reduces a 33-bit difference of two 32-bit integers to 32 bits.
 std::uint32_t Wrapped(std::int64_t rest) {
   return static_cast<std::uint32_t>(
       ZigZag(static_cast<std::int32_t>(static_cast<std::uint32_t>(rest))));
@@ -36,7 +36,7 @@ std::int64_t PlaceOf(const TerrainSurface& ground, int i, int j) {
   return static_cast<std::int64_t>(j) * ground.nx + i;
 }
 
-/// Compares the properties that stay constant during a grain's flight.
+/// Compares the properties that do not change during a clod's flight.
 bool IsSameGrain(const Grain& a, const Grain& b) {
   return a.radius_m == b.radius_m && a.soil == b.soil && a.moisture == b.moisture;
 }

@@ -12,38 +12,38 @@
 
 namespace tera {
 
-/// The streams of packed ground changes.
+/// Streams of packed ground changes.
 enum class TerrainStream {
-  kCounts,    ///< per step: numbers of refined tiles, vertices and grains
+  kCounts,    ///< per step: number of refined tiles, vertices and clods
   kTiles,     ///< refined tiles
-  kPlaces,    ///< index differences between consecutive vertices
+  kPlaces,    ///< index difference between consecutive changed vertices
   kCovers,    ///< changed bits of vertex covers
-  kNumbers,   ///< grain numbers, relative to the previous step
-  kNewborn,   ///< radius, soil and moisture of new grains
-  kHeights0,  ///< vertex heights minus the previous height, by byte weight
+  kNumbers,   ///< clod numbers, relative to the previous step
+  kNewborn,   ///< radius, soil and moisture of new clods
+  kHeights0,  ///< new minus previous vertex height, one byte position per stream
   kHeights1,
   kHeights2,
   kHeights3,
-  kPoints0,  ///< grain positions minus their predicted flight, by byte weight
+  kPoints0,  ///< clod position minus predicted position, one byte position per stream
   kPoints1,
   kPoints2,
   kPoints3,
   kCount
 };
 
-/// The flight of each grain so far, for the prediction of its next position.
+/// Predicts the position of flying clods.
 ///
-/// Model   a parabola through the last three positions of the grain number.
+/// Model   a parabola through the last three positions of the clod with that number.
 class GrainFlights {
  public:
   struct Flight {
     TerrainSurface::Grain last;
-    std::array<std::array<std::int64_t, 3>, 3> past = {};  ///< per axis, the newest first
+    std::array<std::array<std::int64_t, 3>, 3> past = {};  ///< [axis], newest first
     int known = 0;
   };
-  /// The flight of a grain number, which may be new.
+  /// The flight of a clod number; created if new.
   Flight& Of(std::uint16_t number) { return flights_[number]; }
-  /// Ordered bits of the predicted next position along an axis.
+  /// Predicted next position along an axis, as ordered bits.
   static std::int64_t Predict(const Flight& flight, int axis);
   static void Remember(const TerrainSurface::Grain& grain, Flight* flight);
 
@@ -51,12 +51,12 @@ class GrainFlights {
   std::map<std::uint16_t, Flight> flights_;
 };
 
-/// Packs changes of the ground, step by step, without loss.
+/// Packs changes of the ground step by step, without loss.
 class TerrainPacker {
  public:
-  /// Adds one change relative to `known`.
+  /// Adds a change relative to the ground `known`.
   void Add(const TerrainChange& change, const TerrainSurface& known);
-  /// Appends the streams of all changes since the last call.
+  /// Appends the streams of all changes since the last call to `block`.
   void Take(Block* block);
 
  private:
@@ -64,19 +64,19 @@ class TerrainPacker {
 
   std::array<std::string, static_cast<std::size_t>(TerrainStream::kCount)> streams_;
   GrainFlights flights_;
-  std::vector<std::uint16_t> numbers_;  ///< grain numbers of the previous step
+  std::vector<std::uint16_t> numbers_;  ///< clod numbers of the previous step
 };
 
-/// Unpacks changes of the ground.
+/// Inverse of TerrainPacker.
 class TerrainUnpacker {
  public:
   static constexpr std::size_t kStreams = static_cast<std::size_t>(TerrainStream::kCount);
 
-  /// Takes the streams of a block from `*stream` on and advances `*stream` past them. Returns false
-  /// if they are missing.
+  /// Takes the streams of a block, starting at stream `*stream`. Advances `*stream` past them.
+  /// Returns false if streams are missing.
   bool Load(Block* block, std::size_t* stream);
-  /// The next change relative to the ground `known`. Returns false if the streams hold none, or
-  /// none of that ground.
+  /// The next change, relative to the ground `known`. Returns false if no change is left or if it
+  /// does not fit that ground.
   bool Next(const TerrainSurface& known, TerrainChange* change);
 
  private:

@@ -55,7 +55,7 @@ void StateLog::Add(const WorldState& state) {
 
 void StateLog::AddRow(const WorldState& state) {
   AppendStateRow(scenario_, state, &rows_);
-  // Differences are packed relative to the previous ground.
+  // Changes are packed relative to the previous ground.
   const TerrainChange change = tracker_.Find(state.ground().surface());
   terrain_.Add(change, tracker_.known());
   tracker_.Accept(change);

@@ -14,26 +14,26 @@
 
 namespace tera {
 
-/// A dataset's optional file with the evolution of its scene.
+/// Optional file of a dataset with the evolution of its scene.
 inline constexpr char kStateFile[] = "truth/state.blocks";
 
-/// Records a scene's evolution, so that other sensors can measure it without physics and soil
-/// (StatePlayback). It keeps all moving bodies at every step of the physics and every change of the
+/// Records the evolution of a scene, so that other sensors can measure it without physics and soil
+/// (StatePlayback). It contains all moving bodies at each physics step and all changes of the
 /// visible ground, without loss.
 ///
-/// Model   a file of blocks (dataset/files/block_file.h) of a second each. The numbers of a step
-///         (state_rows.h) are packed as a series, followed by the changes of the ground. The header
-///         has the version and identifies the scenario.
+/// Model   a file of blocks (dataset/files/block_file.h), each for one second. A block contains the
+///         numbers of each step (state_rows.h) as a packed series, then the changes of the ground.
+///         The header contains the version and identifies the scenario.
 class StateLog {
  public:
-  /// `state` is the state at the run's start. Keeps a reference to `scenario`; `resolved_yaml` is
-  /// its text in the dataset.
+  /// `state` is the state at the start of the run. `resolved_yaml` is the scenario's text in the
+  /// dataset. Keeps a reference to `scenario`.
   StateLog(const Scenario& scenario, const std::string& resolved_yaml,
            const std::filesystem::path& file, const WorldState& state);
 
-  /// Adds the world after one more step.
+  /// Adds the world after a further step.
   void Add(const WorldState& state);
-  /// Call after the last step.
+  /// Completes the file. Must be called after the last step.
   void Commit();
   std::int64_t bytes() const { return file_.bytes(); }
 
@@ -45,12 +45,12 @@ class StateLog {
   BlockFileWriter file_;
   PackedSeries series_;
   std::vector<double> rows_;
-  std::size_t count_ = 0;  ///< number of rows
+  std::size_t count_ = 0;
   TerrainTracker tracker_;
   TerrainPacker terrain_;
 };
 
-/// Throws InputError if the dataset has no state.
+/// Throws InputError if the dataset contains no state.
 void RequireState(const std::filesystem::path& dataset);
 
 /// The header of a scenario's state file.

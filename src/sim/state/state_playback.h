@@ -14,23 +14,23 @@
 
 namespace tera {
 
-/// Plays a recorded scene (StateLog) step by step without physics and soil. The sensors' view is
-/// bit-identical to that of the run.
+/// Plays a recorded scene (StateLog) step by step, without physics and soil. Everything that
+/// sensors see equals the original run bit for bit.
 ///
 /// Omits   quantities that no sensor measures: see state_rows.h.
 class StatePlayback {
  public:
-  /// Starts at the start of the run. Keeps a reference to `scenario`, which may have other sensors
-  /// than the run; `resolved_yaml` is the text of the run's own scenario.
+  /// Begins at the start of the run. `scenario` may have other sensors than the run; the object
+  /// keeps a reference to it. `resolved_yaml` is the text of the run's own scenario.
   ///
-  /// Throws  InputError if the file is missing, damaged, of another version or of another scenario,
-  ///         as Step does.
+  /// Throws  InputError if the file is missing, damaged, of another version or of another scenario.
+  ///         Step throws likewise.
   StatePlayback(const Scenario& scenario, const std::string& resolved_yaml,
                 const std::filesystem::path& file);
   StatePlayback(Scenario&&, const std::string&, const std::filesystem::path&) = delete;
 
-  /// Advances by one step of the physics. Returns false at the end of the run; one more step
-  /// follows for Run::Finish.
+  /// Advances by one physics step. Returns false when the recording is over. It contains one step
+  /// beyond the end of the run, for Run::Finish.
   bool Step();
 
   WorldStep last_step() const { return {previous_, state_, ground_}; }

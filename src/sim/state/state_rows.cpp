@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Visits the numbers of a vector, matrix or list.
+/// Visits all numbers of a vector, matrix or list.
 template <typename Numbers, typename Visit>
 void ForAll(Numbers&& numbers, Visit visit) {
   for (auto& number : numbers) visit(number);
@@ -63,7 +63,7 @@ void ForLinkMotions(InstantType& state, Visit visit) {
   }
 }
 
-/// Sizes the loads: one per shovel, with one mass per soil of the site.
+/// Allocates the loads: one per shovel, with one mass per soil of the site.
 void SizeLoads(const Scenario& scenario, std::size_t m, MachineState* machine) {
   machine->shovel_load.resize(scenario.machines[m].placement.model.ground_tools.shovels.size());
   for (SoilReaction::Load& load : machine->shovel_load) {
@@ -71,7 +71,7 @@ void SizeLoads(const Scenario& scenario, std::size_t m, MachineState* machine) {
   }
 }
 
-/// A state sized for the scenario.
+/// An empty state with the sizes of the scenario.
 Instant EmptyState(const Scenario& scenario) {
   Instant state;
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) {

@@ -15,21 +15,22 @@ struct TerrainChange {
     int i = 0, j = 0;
     TerrainSurface::Vertex vertex;  ///< new value
   };
-  std::vector<int> refined_tiles;             ///< tiles whose vertices get their own positions
-  std::vector<At> vertices;                   ///< tile by tile, row by row in each
-  std::vector<TerrainSurface::Grain> grains;  ///< all moving grains
+  /// Tiles that change from the coarse initial grid to their own vertices.
+  std::vector<int> refined_tiles;
+  std::vector<At> vertices;                   ///< by tile, then by row
+  std::vector<TerrainSurface::Grain> grains;  ///< all clods in the air
 };
 
-/// Applies the change to `ground`. Each changed tile gets a new version.
+/// Applies the change to `ground`. Changed tiles get a new version.
 void Apply(const TerrainChange& change, TerrainSurface* ground);
 
 /// Finds the changes of a ground from step to step.
 class TerrainTracker {
  public:
-  /// `ground` is the reader's initial ground.
+  /// `ground` is the initial ground, which readers of the recording have too.
   explicit TerrainTracker(const TerrainSurface& ground);
 
-  /// The differences of `now` from the known ground.
+  /// Differences between `now` and the known ground.
   TerrainChange Find(const TerrainSurface& now);
   /// Applies the change to the known ground.
   void Accept(const TerrainChange& change) { Apply(change, &known_); }
@@ -39,7 +40,7 @@ class TerrainTracker {
   void CompareTile(const TerrainSurface& now, int a, int b, TerrainChange* change) const;
 
   TerrainSurface known_;
-  std::vector<std::uint32_t> version_;  ///< version of each tile of `now` at its last comparison
+  std::vector<std::uint32_t> version_;  ///< version of each tile when it was last compared
 };
 
 }  // namespace tera

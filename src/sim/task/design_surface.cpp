@@ -20,7 +20,7 @@ Vec2 NearestOnEdge(const std::vector<Vec2>& corners, const Vec2& p) {
   return nearest;
 }
 
-/// Whether a ray from `p` along x crosses the polygon's edge an odd number of times.
+/// Whether `p` is inside the polygon: a ray along x crosses its edges an odd number of times.
 bool IsInside(const std::vector<Vec2>& corners, const Vec2& p) {
   bool inside = false;
   for (std::size_t k = 0; k < corners.size(); ++k) {

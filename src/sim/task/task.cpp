@@ -13,13 +13,15 @@ namespace tera {
 namespace {
 
 constexpr double kDeepest_m = 20, kWidest_m = 50;
-constexpr double kFlattest_deg = 10;  ///< a flatter side is a floor
+constexpr double kFlattest_deg = 10;  ///< flatter sides are rejected
 constexpr double kUpright_deg = 90;
-constexpr double kFinest_m = 0.005, kCoarsest_m = 1;  ///< tolerances
+constexpr double kFinest_m = 0.005, kCoarsest_m = 1;  ///< range of tolerances
 constexpr double kLeastArea_m2 = 0.01;
-constexpr double kRounding_m = 1e-6;  ///< of places of columns
-constexpr double kNarrowest = 3;      ///< cells; a wider floor has columns, however it lies
-constexpr double kRise = 2;  ///< depth below the highest ground over that at the floor's edge
+constexpr double kRounding_m = 1e-6;  ///< for positions of columns
+/// Smallest width in cells with which a floor surely contains columns, in any orientation.
+constexpr double kNarrowest = 3;
+/// Limit on the width of the sides, relative to their width on level ground.
+constexpr double kRise = 2;
 
 /// Reports a design of which a part is beyond the site, at `key`.
 bool IsOnSite(const ConfigMap& config, std::string_view key, const Vec2& corner_W_m,

@@ -8,13 +8,15 @@ namespace tera {
 namespace {
 
 constexpr double kCell_m = 0.08;
-constexpr double kUnderFloor_m = 0.1;    ///< so far below the floor a clod still lies on it
+/// a point this far below the floor still counts as in the bed
+constexpr double kUnderFloor_m = 0.1;
 constexpr double kBesideWall_m = 0.20;   ///< overflowing soil falls this far outside the inner box
-constexpr double kOverflow_mps = 0.3;    ///< and so fast outwards
-constexpr double kLeastShown_m = 0.004;  ///< thinner soil is not seen
-constexpr double kClodShown_cells = 0.8, kClodSunk = 0.55;  ///< radius; its part below the surface
+constexpr double kOverflow_mps = 0.3;    ///< least outward speed of overflowing soil
+constexpr double kLeastShown_m = 0.004;  ///< thinner soil is not drawn
+/// Clods as drawn: radius in cells, and depth of the centre below the surface in radii.
+constexpr double kClodShown_cells = 0.8, kClodSunk = 0.55;
 
-/// The floor as ground that nothing digs into.
+/// The floor as ground of infinite depth and density 0.
 UndisturbedGround FloorOf(const SoilBed& shape) {
   UndisturbedGround floor;
   TerrainGrid& grid = floor.grid;

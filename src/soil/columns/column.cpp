@@ -9,20 +9,22 @@
 namespace tera {
 namespace {
 
-constexpr double kThinnest_m = 1e-9;  ///< thinner layers are gone
-constexpr double kMostAtOnce = 0.5;   ///< of the layers' thickness is pressed in at once
-constexpr double kFirmDepth_m = 0.3;  ///< of the plate to which the moduli belong
+constexpr double kThinnest_m = 1e-9;  ///< thinner layers are dropped
+/// most compression in one iteration, as a share of the thickness of the layers
+constexpr double kMostAtOnce = 0.5;
+/// Width of the test plate that the subgrade moduli refer to.
+constexpr double kFirmDepth_m = 0.3;
 
-/// A share of a layer as soil on the move. The layer may be so little soil that it has mass but no
-/// thickness.
+/// A share of a layer as moving soil. A layer may have mass but zero thickness, from rounding.
 Spoil Parcel(const SoilLayer& layer, double share, const SoilType& soil, double area_m2) {
   const double kgpm2 = layer.kgpm2 * share;
   const double volume_m = layer.loose ? layer.thickness_m * share
-                                      : kgpm2 / LooseDensity_kgpm3(soil);  // standing soil swells
+                                      // undisturbed and compacted soil swells
+                                      : kgpm2 / LooseDensity_kgpm3(soil);
   return {kgpm2 * area_m2, volume_m * area_m2, layer.soil, layer.moisture};
 }
 
-/// Two layers as one, of the heavier one's soil.
+/// Merges two layers; the result has the soil of the heavier one.
 SoilLayer Joined(const SoilLayer& a, const SoilLayer& b) {
   SoilLayer joined = a.kgpm2 >= b.kgpm2 ? a : b;
   joined.thickness_m = a.thickness_m + b.thickness_m;
@@ -34,7 +36,7 @@ SoilLayer Joined(const SoilLayer& a, const SoilLayer& b) {
   return joined;
 }
 
-/// Makes room for one more layer: joins the two neighbours that are thinnest together.
+/// Makes room for one layer: merges the two neighbours with the smallest joint thickness.
 void JoinThinnest(Column* c) {
   int best = 0;
   double thinnest_m = std::numeric_limits<double>::infinity();
@@ -54,7 +56,7 @@ double Layers_m(const Column& c) {
   return sum_m;
 }
 
-/// Density of a layer over that of undisturbed soil, both without the water that weather brought.
+/// Density of a layer over that of undisturbed soil, both without the water from weather.
 double DensityShare(const SoilLayer& layer, const SoilType& soil) {
   const double density_kgpm3 = layer.density_kgpm3();
   if (soil.unwetted_density_kgpm3 <= 0) return density_kgpm3 / soil.bank_density_kgpm3;
@@ -76,7 +78,7 @@ void AddLayer(const SoilLayer& layer, int at, Column* c) {
 }
 
 void CutBank(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
-  double top_m = c->ground_m - c->bank_m;  // depths
+  double top_m = c->ground_m - c->bank_m;  // top_m and bottom_m are depths here
   const double bottom_m = c->ground_m - z_m;
   while (top_m < bottom_m) {
     const Stratum& stratum = m.profile.Below(top_m);
@@ -89,8 +91,8 @@ void CutBank(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
   c->bank_m = z_m;
 }
 
-/// Loose soil at the surface gives way until it is as dense as bank soil, and then stands like it.
-/// Returns the rest of `ds_m`.
+/// Settles the loose soil at the surface until it reaches bank density and counts as standing soil.
+/// Returns the part of `ds_m` that is left.
 double SettleLoose(const ColumnMaterial& m, double ds_m, Column* c) {
   for (int n = c->layer_count - 1; n >= 0 && c->layers[n].loose && ds_m > 0; --n) {
     SoilLayer& layer = c->layers[n];
@@ -103,7 +105,7 @@ double SettleLoose(const ColumnMaterial& m, double ds_m, Column* c) {
   return ds_m;
 }
 
-/// Makes undisturbed soil part of the layers, stratum by stratum, so that these are `influence_m`
+/// Turns undisturbed soil into layers, stratum by stratum, until the layers are `influence_m`
 /// thick.
 void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   double more_m = influence_m - Layers_m(*c);
@@ -111,7 +113,7 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   while (more_m > 0) {
     const Stratum& stratum = m.profile.Below(depth_m);
     const double take_m = std::min(more_m, stratum.bottom_m - depth_m);
-    if (take_m < more_m && take_m < kThinnest_m) {  // its end, but for rounding
+    if (take_m < more_m && take_m < kThinnest_m) {  // end of the stratum within rounding
       depth_m = stratum.bottom_m;
       continue;
     }
@@ -128,8 +130,8 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   }
 }
 
-/// Makes the layers thinner, each by its share, and takes out the soil beyond the density that they
-/// had, or to which the pressure presses them.
+/// Compresses all layers by the same factor. Removes soil above the density that the pressure
+/// reaches, or above the present density if that is higher.
 void Compact(const ColumnMaterial& m, double ds_m, double pressure_pa, Column* c,
              SpoilMix* beside) {
   const double share = 1 - ds_m / Layers_m(*c);

@@ -11,73 +11,74 @@
 
 namespace tera {
 
-/// Soil of one kind in a column, on top of the undisturbed ground.
+/// A layer of one soil in a column, above the undisturbed ground.
 struct SoilLayer {
   double thickness_m = 0;
-  double kgpm2 = 0;    ///< mass for each square metre
+  double kgpm2 = 0;    ///< mass per square metre
   float moisture = 0;  ///< degree of saturation, 0..1
   std::uint8_t soil = 0;
-  bool loose = true;  ///< it flows; otherwise it stands like bank soil
+  bool loose = true;  ///< loose soil flows; other soil stands like undisturbed soil
 
   double density_kgpm3() const { return kgpm2 / thickness_m; }
 };
 
-/// One vertical column of ground: undisturbed soil up to `bank_m`, then soil that was compacted or
-/// put on it.
+/// A vertical column of ground: undisturbed soil up to `bank_m`, then layers of compacted or
+/// deposited soil.
 ///
-/// Model   undisturbed soil has its stratum's density, layers their own. There are at most
-///         kMostLayers; the two thinnest neighbours of a fuller column become one, of the heavier
-///         one's soil. Mass is kept per area in double precision.
+/// Model   Undisturbed soil has the density of its stratum; layers have their own. A column has at
+///         most kMostLayers layers. Beyond that, the two neighbours with the smallest joint
+///         thickness are merged. The merged layer takes the soil of the heavier one. Mass per area
+///         is kept in double precision.
 struct Column {
   static constexpr int kMostLayers = 5;
 
-  double ground_m = 0;   ///< z of the undisturbed surface, below which its strata lie
+  double ground_m = 0;   ///< z of the original surface; strata are counted in depth below it
   double bank_m = 0;     ///< z of the top of the undisturbed soil
   double top_m = 0;      ///< z of the surface
-  double pressed_m = 0;  ///< plastic sinkage pressed into this surface, for reloading
-  std::array<SoilLayer, kMostLayers> layers;  ///< from below
+  double pressed_m = 0;  ///< plastic sinkage of this surface, for reloading under running gear
+  std::array<SoilLayer, kMostLayers> layers;  ///< from the lowest up
   int layer_count = 0;
   std::uint8_t profile = 0;
 
   const SoilLayer* top_layer() const {
     return layer_count > 0 ? &layers[layer_count - 1] : nullptr;
   }
-  /// Whether loose soil lies at the surface.
+  /// True if the soil at the surface is loose.
   bool is_loose() const { return layer_count > 0 && layers[layer_count - 1].loose; }
   /// Thickness of the loose soil at the surface.
   double loose_m() const;
-  /// Mass for each square metre that it has more than at the start.
+  /// Mass per square metre gained since the start; negative for a loss.
   double Gain_kgpm2(const GroundProfile& profile) const;
 };
 
-/// Material of the columns of a profile, and their cross-section.
+/// Strata and soils of the columns of one profile, and the area of a column.
 struct ColumnMaterial {
   const GroundProfile& profile;
   const std::vector<SoilType>& soils;
   double area_m2;
 };
 
-/// Takes everything above z_m away and adds it to `cut`. Loose soil keeps its density; soil that
-/// stood swells.
+/// Removes all soil above z_m and adds it to `cut`. Loose soil keeps its density. Undisturbed and
+/// compacted soil swells to its loose density.
 void CutColumn(const ColumnMaterial& material, double z_m, Column* column, SpoilMix* cut);
 
-/// Puts loose soil on top.
+/// Adds loose soil on top.
 void DepositOn(const ColumnMaterial& material, const Spoil& spoil, Column* column);
 
-/// A pressing of a column's surface.
+/// Compression of the surface of a column.
 struct Pressing {
-  double ds_m;         ///< by which the surface gives way
+  double ds_m;         ///< sinkage of the surface in this step
   double influence_m;  ///< depth of the soil that may become denser
   double pressure_pa = std::numeric_limits<double>::infinity();
 };
 
-/// Loose soil at the surface gives way first, until it is as dense as bank soil and stands like it;
-/// then the upper soil becomes denser. Soil beyond the density that the pressure yields is shoved
-/// away and added to `beside`.
+/// Presses the surface down. Loose soil at the surface settles first, until it reaches bank density
+/// and counts as standing soil. Then all soil within the influence depth becomes denser. Soil above
+/// the density that this pressure reaches (PressedDensity_kgpm3) is removed and added to `beside`.
 void PressColumn(const ColumnMaterial& material, const Pressing& pressing, Column* column,
                  SpoilMix* beside);
 
-/// Firmness (FirmnessAt) of a column's uppermost 0.3 m, as wide as Terzaghi's plate.
+/// Mean stiffness factor (FirmnessAt) of the uppermost 0.3 m, the width of Terzaghi's test plate.
 double FirmnessOf(const Column& column, const std::vector<SoilType>& soils);
 
 }  // namespace tera

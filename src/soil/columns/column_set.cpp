@@ -5,7 +5,6 @@
 
 namespace tera {
 
-/// A row, to be added to.
 std::uint64_t& ColumnSet::Row(std::size_t row) {
   const std::size_t tile = row / kRowsOfTile;
   if (tile >= has_some_.size()) {

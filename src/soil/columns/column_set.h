@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A set of columns, one bit each. Its walk goes tile by tile and row by row, whatever the order of
-/// insertion: neighbours in the ground are neighbours in memory.
+/// A set of columns, one bit for each. Iteration goes by tile and row, so that neighbours in the
+/// ground are close in memory.
 class ColumnSet {
  public:
   bool Contains(ColumnId k) const {
@@ -16,10 +16,10 @@ class ColumnSet {
     return row < rows_.size() && (rows_[row] >> (k & Columns::kRowMask) & 1) != 0;
   }
   void Add(ColumnId k);
-  /// Adds a column that has neighbours of its own tile on all sides, and those.
+  /// Adds a column and its eight neighbours. All must belong to one tile.
   void AddWithNeighbours(ColumnId k);
   std::size_t size() const;
-  /// All of it, in the order of the ids; `ids` is overwritten.
+  /// Overwrites `ids` with all members in ascending order.
   void ListTo(std::vector<ColumnId>* ids) const;
   void clear();
 
@@ -27,8 +27,8 @@ class ColumnSet {
   static constexpr int kRowsOfTile = 1 << (Columns::kTileBits - Columns::kRowBits);
   std::uint64_t& Row(std::size_t row);
 
-  std::vector<std::uint64_t> rows_;     ///< a bit for each column of a row
-  std::vector<std::uint8_t> has_some_;  ///< of each tile: whether any of its columns is in
+  std::vector<std::uint64_t> rows_;     ///< one bit for each column of a row
+  std::vector<std::uint8_t> has_some_;  ///< for each tile: 1 if the set holds any of its columns
 };
 
 }  // namespace tera

@@ -12,13 +12,14 @@
 namespace tera {
 namespace {
 
-constexpr double kLooseShown_m = 0.03;  ///< loose soil this thick looks fully loose
-constexpr double kRutShown_m = 0.02;    ///< a rut this deep looks freshly pressed
-constexpr double kRutOfContact = 0.35;  ///< share of the rut's look that a mere contact leaves
+constexpr double kLooseShown_m = 0.03;  ///< loose soil this thick is drawn as fully loose
+constexpr double kRutShown_m = 0.02;    ///< a rut this deep is drawn at full strength
+/// share of that strength that a contact without sinkage leaves
+constexpr double kRutOfContact = 0.35;
 constexpr int kCells = TerrainGrid::kTileCells;
-constexpr std::size_t kAhead = 6;  ///< so many columns before its turn one is fetched from memory
+constexpr std::size_t kAhead = 6;  ///< Transport prefetches this many columns ahead.
 
-/// Water that ground has gained between two depths, as a height.
+/// Gain of water between two depths, as a height of water.
 double GainedBetween_m(const std::vector<Columns::Gained>& gained, double top_m, double bottom_m) {
   double sum_m = 0, above_m = 0;
   for (const Columns::Gained& slice : gained) {
@@ -29,7 +30,8 @@ double GainedBetween_m(const std::vector<Columns::Gained>& gained, double top_m,
   return sum_m;
 }
 
-/// Lets a column's layers take up as much water as ground at the same depth has gained.
+/// Adds to each layer the water that ground at the same depth has gained, within the limits of its
+/// pores.
 void WetLayers(const SoilKinds& kinds, const std::vector<Columns::Gained>& gained, Column* c) {
   double top_m = 0;
   for (int n = c->layer_count - 1; n >= 0; --n) {
@@ -127,7 +129,6 @@ ColumnId Columns::Touch(int i, int j) {
   return IdAt(i, j);
 }
 
-/// Gives a tile columns of its own.
 void Columns::Unfold(int a, int b) {
   const auto n = static_cast<ColumnId>(chunks_.size());
   const int nx_here = a == surface_.tiles_x() - 1 ? nx() - a * kCells : kCells;
@@ -185,7 +186,7 @@ std::uint8_t Columns::SoilAt(int i, int j) const {
   return profiles_[ground_->ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
 }
 
-/// SampleAt where columns of several tiles, or none, stand around.
+/// SampleAt where the four columns do not share one chunk.
 Columns::Sample Columns::SampleAcross(double x, double y) const {
   const double gx = std::clamp((x - surface_.origin_W_m.x()) * cells_per_m_, 0.0, nx() - 1.0);
   const double gy = std::clamp((y - surface_.origin_W_m.y()) * cells_per_m_, 0.0, ny() - 1.0);
@@ -268,14 +269,14 @@ void Columns::TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken) {
   if (take_m > 0) Cut(k, skin(k).top_m - take_m, taken);
 }
 
-/// A column's skin and its look are set right when all of a Transport has been done.
+/// Marks a column whose skin and surface are updated at the end of Transport.
 void Columns::ChangesLater(ColumnId k) {
   bool& is_stale = SkinOf(k).is_stale;
   if (!is_stale) stale_.push_back(k);
   is_stale = true;
 }
 
-/// Columns beside each other in a row stand too far apart in memory for the processor to guess.
+/// Prefetches a column. The memory stride between rows is too large for the hardware prefetcher.
 void Columns::Fetch(ColumnId k) const {
   const auto* bytes = reinterpret_cast<const char*>(&at(k));
   __builtin_prefetch(bytes, 1);
@@ -396,7 +397,7 @@ void Columns::Unblock(ColumnId k) {
 Columns::Gain Columns::GroundGain() const {
   Gain total;
   for (const Chunk& chunk : chunks_) {
-    Gain of_chunk;  // apart, to keep the sums small
+    Gain of_chunk;  // one sum per chunk limits the rounding error
     for (const Column& c : chunk.columns) {
       const double gain_kg = c.Gain_kgpm2(profiles_[c.profile]) * area_m2_;
       of_chunk.net_kg += gain_kg;
@@ -420,7 +421,7 @@ void Columns::NoteChange(ColumnId k) {
   changed_.push_back(k);
 }
 
-/// Its rut looks at least as fresh as `rut`.
+/// Updates the skin and the visible surface. `rut` is the least visibility of the rut.
 void Columns::Changed(ColumnId k, double rut) {
   NoteChange(k);
   RefreshSkin(k);

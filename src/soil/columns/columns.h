@@ -16,16 +16,17 @@
 
 namespace tera {
 
-/// Place of a column in memory: its tile's chunk, and its row and place in the row there.
+/// Identifies a column: index of its tile's chunk, row in the tile, place in the row.
 using ColumnId = std::uint32_t;
 
-/// The ground as columns, its mass ledger, and the visible surface, always in step.
+/// The ground as columns, with its mass balance and its visible surface.
 ///
 /// Frames  W. Column (i, j) stands under vertex (i, j) of the surface and is cell x cell wide.
-/// Model   Only tiles in which something has happened have columns of their own; elsewhere the
-///         ground is that of UndisturbedGround, which copies share. Every operation moves mass:
-///         from one column to another, to a tool, or over the border of the site (outside_kg).
-/// Omits   moisture that moves by itself; see TakeUp.
+/// Model   Columns are allocated tile by tile, when something happens in a tile. All other tiles
+///         read UndisturbedGround, which copies of this object share. Every operation conserves
+///         mass: soil moves between columns, to a tool, or over the border of the site
+///         (outside_kg).
+/// Omits   Water that flows between columns; TakeUp applies the moisture of the weather model.
 class Columns {
  public:
   Columns(UndisturbedGround ground, std::vector<SoilType> soils)
@@ -40,36 +41,36 @@ class Columns {
   bool Contains(int i, int j) const { return surface_.Contains(i, j); }
   double x_m(int i) const { return surface_.x_m(i); }
   double y_m(int j) const { return surface_.y_m(j); }
-  /// Nearest column's index along an axis, not limited to the site.
+  /// Index of the nearest column along an axis; it may lie outside the site.
   int NearestI(double x_m) const;
   int NearestJ(double y_m) const;
 
-  /// Height of a column's surface.
+  /// Height of the surface of a column.
   double TopAt(int i, int j) const;
-  /// Soil at a column's surface, as an index into soils().
+  /// Soil at the surface of a column, as an index into soils().
   std::uint8_t SoilAt(int i, int j) const;
-  /// Bilinear height, the nearest border value outside the site.
+  /// Bilinear height of the surface. Outside the site it is that of the nearest border point.
   double HeightAt(double x_m, double y_m) const { return SampleAt(x_m, y_m).top_m; }
 
   static constexpr float kOpen_m = std::numeric_limits<float>::infinity();
-  /// Values of a column that are asked for most often, close together in memory.
+  /// The most used values of a column, close together in memory.
   struct Skin {
     double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
-    float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
+    float blocked_m = kOpen_m;                     ///< lowest point of a tool in the column
     float firmness = 1;                            ///< see FirmnessOf
-    float load_pa = 0;                             ///< of gear that stands on it
-    std::uint8_t soil = 0;                         ///< at the surface
-    std::uint8_t rut = 0;                          ///< as shown
+    float load_pa = 0;                             ///< pressure of the running gear on the column
+    std::uint8_t soil = 0;                         ///< soil at the surface
+    std::uint8_t rut = 0;                          ///< visibility of a rut, 0..255
     bool is_loose = false;                         ///< as in Column
-    bool is_stale = false;                         ///< in Transport: not in step with its column
+    bool is_stale = false;  ///< within Transport: the skin does not match its column
   };
 
-  /// Surface between the columns, bilinear; the nearest border's outside the site.
+  /// The surface at a point, bilinear. Outside the site it is that of the nearest border point.
   struct Sample {
     double top_m = 0, pressed_m = 0;
     double firmness = 0;            ///< see FirmnessOf
     int i, j;                       ///< the nearest column
-    const Skin* nearest = nullptr;  ///< its skin, if its tile has columns
+    const Skin* nearest = nullptr;  ///< skin of the nearest column, null if its tile has no columns
     void Add(const Skin& skin, double share) {
       top_m += share * skin.top_m;
       pressed_m += share * skin.pressed_m;
@@ -84,23 +85,25 @@ class Columns {
   std::uint8_t SoilAt(const Sample& sample) const {
     return sample.nearest != nullptr ? sample.nearest->soil : SoilAt(sample.i, sample.j);
   }
-  /// Upward unit normal of the surface there, over two cells.
+  /// Upward unit normal by central differences of one cell to each side.
   Vec3 NormalAt(double x_m, double y_m) const;
-  /// Whether a point lies above all that its tile has ever held: a quick look, true only if so.
+  /// True if the point is higher than any column of its tile has ever been. A fast test: false only
+  /// means that a full test is needed.
   bool IsWellAbove(const Vec3& p_W_m) const {
     const Square square = SquareAt(p_W_m.x(), p_W_m.y());
     return square.chunk != nullptr && p_W_m.z() > square.chunk->ceiling_m;
   }
 
-  /// Columns of a rectangle, both ends among them.
+  /// A rectangle of columns, both ends included.
   struct Box {
     int i0, j0, i1, j1;
     bool operator==(const Box&) const = default;
   };
-  /// Whether all tiles of the columns in `box` have never held anything as high as `z_m`.
+  /// True if no column in the tiles of `box` has ever reached `z_m`.
   bool IsAllBelow(const Box& box, double z_m) const;
 
-  /// Gives the tile of column (i, j) columns of its own. References stay good.
+  /// Allocates the tile of column (i, j) if needed and returns the column's id. References stay
+  /// valid.
   ColumnId Touch(int i, int j);
   struct Place {
     int i, j;
@@ -109,17 +112,17 @@ class Columns {
   const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
   const Skin& skin(ColumnId k) const { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
   static constexpr ColumnId kNone = ~ColumnId{0};
-  /// An id holds the chunk of its tile, the row, and the place in the row, from the highest bit on.
+  /// Bits of an id, from the highest: chunk of the tile, row, place in the row.
   static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
   static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
-  /// Whether the eight columns around are of the same tile: their ids then differ by Step().
+  /// True if all eight neighbours belong to the same tile. Their ids then differ by Step().
   bool IsWithinTile(ColumnId k) const {
     const Chunk& chunk = chunks_[k >> kTileBits];
     const int i = static_cast<int>(k & kRowMask), j = static_cast<int>((k >> kRowBits) & kRowMask);
     return i > 0 && j > 0 && i + 1 < chunk.nx && j + 1 < chunk.ny;
   }
   static constexpr int Step(int di, int dj) { return dj * (1 << kRowBits) + di; }
-  /// The id of the column beside, if its tile has columns, else kNone.
+  /// Id of a neighbour, kNone if its tile has no columns.
   ColumnId BesideId(ColumnId k, int di, int dj) const {
     const Chunk& chunk = chunks_[k >> kTileBits];
     const int i = static_cast<int>(k & kRowMask) + di;
@@ -129,12 +132,12 @@ class Columns {
     }
     return IdAt(chunk.a * TerrainGrid::kTileCells + i, chunk.b * TerrainGrid::kTileCells + j);
   }
-  /// Its skin, or null.
+  /// Skin of a neighbour, null if its tile has no columns.
   const Skin* Beside(ColumnId k, int di, int dj) const {
     const ColumnId beside = BesideId(k, di, dj);
     return beside == kNone ? nullptr : &skin(beside);
   }
-  /// The id of column (i, j), if it is on the site and its tile has columns, else kNone.
+  /// Id of column (i, j), kNone outside the site or if its tile has no columns.
   ColumnId IdAt(int i, int j) const {
     if (!Contains(i, j)) return kNone;
     const std::int32_t n = chunk_of_tile_[TileOf(i, j)];
@@ -144,7 +147,7 @@ class Columns {
            static_cast<ColumnId>(j - chunk.b * TerrainGrid::kTileCells) << kRowBits |
            static_cast<ColumnId>(i - chunk.a * TerrainGrid::kTileCells);
   }
-  /// Ids lie below this.
+  /// All ids are less than this.
   std::size_t id_end() const { return chunks_.size() << kTileBits; }
 
   const UndisturbedGround& undisturbed() const { return *ground_; }
@@ -152,86 +155,89 @@ class Columns {
   const SoilKinds& kinds() const { return kinds_; }
   const std::vector<SoilType>& soils() const { return kinds_.soils(); }
   std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
-  /// Strata of a column's undisturbed soil.
+  /// Strata of the undisturbed soil of a column.
   const GroundProfile& ProfileOf(ColumnId k) const { return profiles_[at(k).profile]; }
-  /// The undisturbed ground's profiles as they are now.
+  /// Profiles of the undisturbed ground with their present moisture.
   const std::vector<GroundProfile>& profiles() const { return profiles_; }
-  /// Stratum of the undisturbed soil at the top of a column's bank.
+  /// Stratum at the top of the undisturbed soil of a column.
   const Stratum& BankOf(ColumnId k) const;
 
-  /// Adds the kinds of soil that weather may make; false if there is no room for them.
+  /// Adds the soil kinds that weather may produce. False if there is no room for them.
   bool AddHiddenKinds() { return kinds_.AddHidden(); }
-  /// Water that the ground has gained, as a height, between the last depth and this one.
+  /// Gain of water in a slice of ground, as a height of water. The slice begins at the end of the
+  /// slice above.
   struct Gained {
     double bottom_m, water_m;
   };
-  /// Undisturbed ground as weather has left it, by profile.
+  /// Undisturbed ground after weather, by profile.
   struct Water {
     std::vector<GroundProfile> profiles;
     std::vector<std::vector<Gained>> gained;
   };
-  /// Takes up water. Layers gain as much as undisturbed ground of their profile at the same depth,
-  /// as far as their pores hold or give it. Soil that is cut free keeps its water.
+  /// Applies the moisture of the weather model. A layer gains as much water as undisturbed ground
+  /// of its profile at the same depth, within the limits of its pores. Soil carried by tools or in
+  /// the air keeps its water.
   void TakeUp(Water water);
   void SetWetness(std::vector<TerrainSurface::Wetness> wetness) {
     surface_.SetWetness(std::move(wetness));
   }
-  /// Mass that TakeUp has brought to the columns or taken from them.
+  /// Net mass of water that TakeUp has added to the columns.
   double water_kg() const { return water_kg_; }
 
-  /// Raises the undisturbed ground: no soil is moved from elsewhere.
+  /// Raises or lowers the ground. No soil is taken from elsewhere.
   void Raise(const RaisedGround& raised);
-  /// Takes everything above z_m away and adds it to `cut`.
+  /// Removes all soil above z_m and adds it to `cut`.
   void Cut(ColumnId k, double z_m, SpoilMix* cut);
-  /// Takes up to `thickness_m` of the loose soil at the surface away and adds it to `taken`.
+  /// Removes up to `thickness_m` of the loose soil at the surface and adds it to `taken`.
   void TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken);
-  /// Loose soil on its way from one column to another.
+  /// Loose soil that moves from one column to another.
   struct Transfer {
     ColumnId from, to;
-    double thickness_m;  ///< at most the loose soil is taken
+    double thickness_m;  ///< limited by the loose soil of `from`
   };
-  /// All soil leaves its columns before any arrives.
+  /// Performs all transfers at once: all soil leaves before any arrives.
   void Transport(const std::vector<Transfer>& transfers);
-  /// Puts loose soil on a column.
+  /// Adds loose soil to a column.
   void Deposit(ColumnId k, const Spoil& spoil);
   void Deposit(ColumnId k, const SpoilMix& spoil);
-  /// Deposit by place; beyond the site's border it leaves the ledger's ground for its outside.
+  /// Adds loose soil at (i, j). Outside the site it counts as outside_kg.
   void DepositAt(int i, int j, const SpoilMix& spoil);
   void DepositAt(int i, int j, const Spoil& spoil);
   /// Presses the surface down: see PressColumn.
   void Press(ColumnId k, const Pressing& pressing, SpoilMix* beside);
-  /// Takes the upper `thickness_m` away and adds it to `cut`. The new surface keeps the prints
-  /// pressed into the old one.
+  /// Removes the upper `thickness_m` and adds it to `cut`. The new surface keeps the plastic
+  /// sinkage of the old one.
   void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);
   /// Turns the upper `thickness_m` into loose soil.
   void Break(ColumnId k, double thickness_m);
-  /// From now on, changes are counted from the present ground.
+  /// Makes the present ground the reference of ChangeAt.
   void MarkStart();
-  /// The column at a place; in a quiet tile, the column that it would have.
+  /// The column at (i, j). In a tile without columns it is the undisturbed column.
   Column ColumnAt(int i, int j) const;
-  /// A column's gain since MarkStart, or since it was undisturbed.
+  /// Change of a column since MarkStart, or since it was undisturbed if that is later.
   struct Change {
     double height_m = 0, kgpm2 = 0;
   };
   Change ChangeAt(int i, int j) const;
-  /// Whether tile (a, b) has columns of its own, because something has happened there.
+  /// True if tile (a, b) has its own columns.
   bool HasColumns(int a, int b) const { return chunk_of_tile_[surface_.tile_index(a, b)] >= 0; }
 
-  /// Marks a column as touched by a running gear.
+  /// Draws a light rut where running gear touches a column.
   void MarkRut(ColumnId k);
 
-  /// A tool stands in this column from `low_m` upwards: soil higher than that does not slide in.
+  /// Marks a tool above `low_m` in this column. Soil higher than `low_m` does not slide in.
   void Block(ColumnId k, double low_m) { SkinOf(k).blocked_m = static_cast<float>(low_m); }
   bool IsBlocked(ColumnId k) const { return skin(k).blocked_m < kOpen_m; }
-  /// The tool may have left: unless it blocks the column again, Unblock is due.
+  /// Removes the mark of a tool. If the tool does not block the column again, the caller must call
+  /// Unblock.
   void Release(ColumnId k) {
     SkinOf(k).blocked_m = kOpen_m;
     SkinOf(k).load_pa = 0;
   }
-  /// Gear presses on the columns that it blocks, which are no support for a bank then.
+  /// Marks columns that running gear presses on. Such columns do not support a bank.
   void Load(const std::vector<ColumnId>& columns, double pressure_pa);
   bool IsPropped(ColumnId k) const { return IsBlocked(k) && skin(k).load_pa == 0; }
-  /// Columns around those loaded since the last call.
+  /// Bounding boxes of the columns loaded since the last call.
   std::vector<Box> TakeLoaded() { return std::exchange(loaded_, {}); }
   void Unblock(ColumnId k);
 
@@ -241,7 +247,7 @@ class Columns {
     surface_.SetGrains(std::move(grains));
   }
 
-  /// Mass that columns have more than undisturbed: all together, and those alone that gained.
+  /// Mass gained since the undisturbed state: net over all columns, and the sum of the gains alone.
   struct Gain {
     double net_kg = 0, gained_kg = 0;
   };
@@ -253,19 +259,21 @@ class Columns {
 
  private:
   struct Chunk {
-    int a, b;                                                     ///< the tile's
-    int nx, ny;                                                   ///< columns along x and y
-    double ceiling_m = -std::numeric_limits<double>::infinity();  ///< no column was ever higher
+    int a, b;    ///< indices of the tile
+    int nx, ny;  ///< columns along x and y
+    /// greatest height that any column has ever had
+    double ceiling_m = -std::numeric_limits<double>::infinity();
     std::vector<Column> columns;
     std::vector<Skin> skins;
     std::vector<std::uint8_t> is_changed;
   };
-  /// The four columns around a place, if one chunk has them all.
+  /// The four columns around a point, if all belong to one chunk.
   struct Square {
     const Chunk* chunk = nullptr;
-    const Skin* skins = nullptr;  ///< of the first; the others are Step(1, 0), ... farther
-    int i, j;                     ///< the first one's
-    double u, v;                  ///< from there, in cells
+    /// skin of the lowest i and j; the others follow at Step(1, 0), Step(0, 1), Step(1, 1)
+    const Skin* skins = nullptr;
+    int i, j;     ///< indices of the first column
+    double u, v;  ///< position relative to the first column, in cells
   };
   Square SquareAt(double x_m, double y_m) const {
     const double gx = (x_m - surface_.origin_W_m.x()) * cells_per_m_;
@@ -313,8 +321,8 @@ class Columns {
   TerrainSurface surface_;
   SoilKinds kinds_;
   std::vector<Chunk> chunks_;
-  std::vector<std::int32_t> chunk_of_tile_;  ///< -1 where nothing has happened
-  std::vector<std::vector<Change>> start_;   ///< of each chunk that was there at MarkStart
+  std::vector<std::int32_t> chunk_of_tile_;  ///< index into chunks_; -1 for a tile without columns
+  std::vector<std::vector<Change>> start_;   ///< by chunk, for the chunks that exist at MarkStart
   double cells_per_m_ = 0;
   double area_m2_ = 0;
   double outside_kg_ = 0;
@@ -325,7 +333,7 @@ class Columns {
     ColumnId to;
     Spoil spoil;
   };
-  // Transport's, kept for their memory.
+  // Buffers of Transport, kept to avoid allocation.
   std::vector<Arrival> arrivals_;
   std::vector<ColumnId> stale_;
 };

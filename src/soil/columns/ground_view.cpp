@@ -8,7 +8,8 @@
 namespace tera {
 namespace {
 
-/// Share of a piece between two heights; all of one without height that lies there.
+/// Share of a piece between two heights. A piece without height counts fully if it lies between
+/// them.
 double ShareBetween(const SoilPiece& piece, double low_m, double high_m) {
   const double height_m = piece.top_m - piece.bottom_m;
   if (height_m <= 0) return piece.top_m > low_m && piece.top_m <= high_m ? 1 : 0;
@@ -22,7 +23,7 @@ double CompactionOf(const SoilPiece& piece, const SoilType& soil) {
   return density_kgpm3 / soil.bank_density_kgpm3;
 }
 
-/// Content of the columns of one stack of cubes.
+/// Sums over a vertical stack of cubes.
 class CubeStack {
  public:
   CubeStack(double low_m, double edge_m, int count, const std::vector<SoilType>& soils)
@@ -33,13 +34,13 @@ class CubeStack {
     mass_of_soil_kg_.assign(static_cast<std::size_t>(count_) * soils_.size(), 0);
   }
   void Add(const SoilPiece& piece, double area_m2);
-  /// Puts the content of cube `k` into the lists at `at`.
+  /// Writes the sums of cube `k` to index `at` of the lists.
   void Store(int k, std::size_t at, SoilVoxels* voxels) const;
 
  private:
   struct Sum {
     double mass_kg = 0, volume_m3 = 0, loose_kg = 0;
-    double compaction_kg = 0, moisture_kg = 0;  ///< weighed by mass
+    double compaction_kg = 0, moisture_kg = 0;  ///< weighted by mass
   };
 
   double low_m_, edge_m_;
@@ -53,7 +54,7 @@ void CubeStack::Add(const SoilPiece& piece, double area_m2) {
   const auto cube_of = [&](double z_m) {
     return static_cast<int>(std::clamp(std::floor((z_m - low_m_) / edge_m_), -1.0, count_ + 0.0));
   };
-  // One cube more on either side: soil on a border must not be lost to rounding.
+  // One more cube on either side, so that rounding loses no soil at a border.
   const int first = std::max(0, cube_of(piece.bottom_m) - 1);
   const int last = std::min(count_ - 1, cube_of(piece.top_m) + 1);
   const double compaction = CompactionOf(piece, soils_[piece.soil]);
@@ -107,7 +108,7 @@ std::string_view NameOf(GroundRaster raster) {
 }
 
 Eigen::Array3i CubesOf(const VoxelBox& box, double cell_m) {
-  constexpr double kRounding = 1e-6;  // of a cube
+  constexpr double kRounding = 1e-6;  // tolerance for rounding, in cubes
   const double edge_m = box.columns * cell_m;
   return ((box.high_W_m - box.low_W_m).array() / edge_m - kRounding).ceil().max(1).cast<int>();
 }
@@ -127,7 +128,7 @@ std::optional<SoilSample> SampleBelow(const Columns& columns, double x_m, double
   if (!columns.Contains(i, j) || depth_m < 0) return std::nullopt;
   const Column column = columns.ColumnAt(i, j);
   const double z_m = column.top_m - depth_m;
-  constexpr double kReach_m = 1e-6;  // below z, so that there is a piece
+  constexpr double kReach_m = 1e-6;  // below z, so that at least one piece is visited
   std::optional<SoilSample> sample;
   ForPieces(column, columns.profiles()[column.profile], z_m - kReach_m,
             [&](const SoilPiece& piece) {
@@ -150,7 +151,7 @@ SoilVoxels CutIntoCubes(const Columns& columns, const VoxelBox& box) {
   voxels.ny = count.y();
   voxels.nz = count.z();
   voxels.edge_m = box.columns * columns.cell_m();
-  // A column's cell reaches half a cell around its place.
+  // A cell extends half a cell to each side of its column.
   const double half_m = 0.5 * columns.cell_m();
   const int i0 = columns.NearestI(box.low_W_m.x() + half_m);
   const int j0 = columns.NearestJ(box.low_W_m.y() + half_m);

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// A stretch of one soil in a column. It may have mass, but no height.
+/// A vertical piece of one soil in a column. It may have mass but no height, from rounding.
 struct SoilPiece {
   double top_m = 0, bottom_m = 0;  ///< z in W
   double kgpm2 = 0;
@@ -17,7 +17,8 @@ struct SoilPiece {
   bool loose = false;
 };
 
-/// Calls visit(piece) from a column's surface down; the undisturbed soil ends at `low_m`.
+/// Calls visit(piece) for each piece from the surface down. The undisturbed soil ends at z =
+/// `low_m`.
 template <typename Visit>
 void ForPieces(const Column& column, const GroundProfile& profile, double low_m, Visit visit) {
   double top_m = column.top_m;
@@ -27,7 +28,8 @@ void ForPieces(const Column& column, const GroundProfile& profile, double low_m,
     visit(SoilPiece{top_m, bottom_m, layer.kgpm2, layer.soil, layer.moisture, layer.loose});
     top_m = bottom_m;
   }
-  const double end_m = column.ground_m - low_m;  // depths of the strata from here on
+  // depth_m, end_m and below_m are depths below the undisturbed surface
+  const double end_m = column.ground_m - low_m;
   for (double depth_m = column.ground_m - column.bank_m; depth_m < end_m;) {
     const Stratum& stratum = profile.Below(depth_m);
     const double below_m = std::min(end_m, stratum.bottom_m);
@@ -38,11 +40,11 @@ void ForPieces(const Column& column, const GroundProfile& profile, double low_m,
   }
 }
 
-/// Mean bulk density of a column's uppermost `depth_m`.
+/// Mean bulk density of the uppermost `depth_m` of a column.
 double UpperDensity_kgpm3(const Column& column, const GroundProfile& profile, double depth_m);
 
-/// The soil `depth_m` below the surface of the column nearest to (x, y); nothing above the surface
-/// and beyond the site.
+/// Soil at a depth below the surface of the column nearest to (x, y). Empty above the surface and
+/// outside the site.
 std::optional<SoilSample> SampleBelow(const Columns& columns, double x_m, double y_m,
                                       double depth_m);
 

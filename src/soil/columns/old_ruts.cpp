@@ -9,14 +9,14 @@
 namespace tera {
 namespace {
 
-constexpr double kShoulder = 0.2;  // of a rut's width, on each side
+constexpr double kShoulder = 0.2;  // share of a rut's width, on each side
 constexpr double kWidestRut_m = 3, kWidestGauge_m = 10;
 constexpr double kFurthest_m = 1e5;
 
-/// Where a point is beside a path.
+/// Position of a point relative to a path.
 struct Beside {
   double left_m = std::numeric_limits<double>::infinity();
-  Vec2 left = Vec2::UnitY();  ///< unit, away from the path to its left
+  Vec2 left = Vec2::UnitY();  ///< unit vector to the left of the path
 };
 
 Beside BesidePath(const std::vector<Vec2>& path_m, const Vec2& p_m) {
@@ -36,7 +36,7 @@ Beside BesidePath(const std::vector<Vec2>& path_m, const Vec2& p_m) {
   return beside;
 }
 
-/// Share of a rut's depth at a distance from the middle of its floor.
+/// Share of the full depth at a distance from the middle of a rut.
 double ShareOfDepth(double from_middle_m, double width_m) {
   const double shoulder_m = kShoulder * width_m;
   return std::clamp((0.5 * width_m - from_middle_m) / shoulder_m, 0.0, 1.0);
@@ -77,7 +77,7 @@ RutSize ReadRutSize(const ConfigMap& config, double usual_gauge_m,
 
 std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
   std::vector<RutPlan> all;
-  if (!config.Has("ruts")) return all;  // nothing is written where there are none
+  if (!config.Has("ruts")) return all;  // an absent key is not added to the resolved scenario
   for (const ConfigMap& item : config.List("ruts")) {
     RutPlan ruts;
     for (const auto& row :
@@ -98,7 +98,7 @@ std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
 
 void Press(const RutPlan& ruts, Columns* ground) {
   const double reach_m = 0.5 * (ruts.size.gauge_m + ruts.size.width_m);
-  // Column by column of the boxes around its pieces, each column once.
+  // Lists the columns in the boxes around the pieces of the path, each column once.
   std::vector<std::pair<int, int>> places;
   for (std::size_t p = 0; p + 1 < ruts.path_W_m.size(); ++p) {
     const Vec2 low_m = ruts.path_W_m[p].cwiseMin(ruts.path_W_m[p + 1]).array() - reach_m;

@@ -11,30 +11,31 @@ namespace tera {
 inline constexpr double kDeepestRut_m = 0.5;
 
 struct RutSize {
-  double gauge_m = 0;  ///< between the middles of two; 0 of one
-  double width_m = 0;  ///< of each
+  double gauge_m = 0;  ///< distance between the middles of two ruts; 0 for a single rut
+  double width_m = 0;  ///< width of each rut
 };
 
-/// Reads `gauge_m` and `width_m`; without a usual width, it must be there. Faults go to `config`.
+/// Reads `gauge_m` and `width_m`. `width_m` is required if there is no usual width. Faults go to
+/// `config`.
 RutSize ReadRutSize(const ConfigMap& config, double usual_gauge_m,
                     std::optional<double> usual_width_m);
 
-/// Two ruts that wheels or tracks have pressed before the start, or one where there is no gauge.
+/// Two parallel ruts that exist before the start, or a single rut if the gauge is 0.
 ///
 /// Frames  W.
-/// Model   a path of straight pieces; each rut runs half the gauge beside it, level across its
-///         floor and with shoulders of a fifth of its width. Soil is pressed as by a machine's
-///         running gear (Columns::Press): it becomes denser and remembers it.
+/// Model   The path is a polyline; each rut runs half a gauge to its side. The floor is level
+///         across, and each shoulder is a fifth of the width. Columns::Press compacts the soil as
+///         running gear does, so that the ruts count as loaded before.
 struct RutPlan {
   std::vector<Vec2> path_W_m;
   RutSize size;
   double depth_m = 0;
 };
 
-/// Reads `ruts`. Faults go to `config`. Ruts beyond the site are left out.
+/// Reads `ruts`. Faults go to `config`. Ruts may extend beyond the site; Press skips that part.
 std::vector<RutPlan> ReadRuts(const ConfigMap& config);
 
-/// Presses them, across each other each by its own depth.
+/// Presses the ruts into the ground. Where ruts cross, their depths add.
 void Press(const RutPlan& ruts, Columns* ground);
 
 }  // namespace tera

@@ -28,7 +28,7 @@ std::vector<PitPlan> ReadPits(const ConfigMap& config, const TerrainGrid& grid) 
 }
 
 void Dig(const PitPlan& pit, Columns* ground) {
-  if (pit.outline_W_m.empty()) return;  // faulty: never run
+  if (pit.outline_W_m.empty()) return;  // a faulty outline, which never runs
   Vec2 low_m = pit.outline_W_m.front(), high_m = low_m;
   for (const Vec2& corner : pit.outline_W_m) {
     low_m = low_m.cwiseMin(corner);

@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// An excavation that is there at the start, its walls upright. The dug soil has left the site. Its
-/// walls stand or fail as any bank does, from the first step on.
+/// An excavation that exists at the start, with vertical walls. Its soil has left the site. The
+/// walls may fail from the first step, as any bank.
 struct PitPlan {
   std::vector<Vec2> outline_W_m;
-  double depth_m = 0;  ///< of its floor, which follows the ground as it was
+  double depth_m = 0;  ///< below the ground of the site, whose relief the floor follows
 };
 
 /// Reads `pits`. Faults go to `config`.
 std::vector<PitPlan> ReadPits(const ConfigMap& config, const TerrainGrid& grid);
 
-/// Takes out every column whose middle lies within the outline.
+/// Excavates every column whose middle lies within the outline.
 void Dig(const PitPlan& pit, Columns* ground);
 
 }  // namespace tera

@@ -15,17 +15,17 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay short of vertical
-constexpr double kBorne_pa = 10e3;       ///< pressure that undisturbed soil near the surface knows
+constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay below vertical
+constexpr double kBorne_pa = 10e3;       ///< past load on the undisturbed soil near the surface
 constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
-constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
+constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's factor on cohesion and tan(phi)
 
-constexpr double kAirCutOff = 0.85;  ///< degree of saturation from which pore air is occluded
-constexpr double kPass_s = 1;        ///< a machine over its own length
-constexpr double kUndrained = 0.1, kDrained = 0.4;  ///< time factors
+constexpr double kAirCutOff = 0.85;  ///< degree of saturation above which pore air is occluded
+constexpr double kPass_s = 1;        ///< time in which a machine travels its own length
+constexpr double kUndrained = 0.1, kDrained = 0.4;  ///< limits of the time factor
 
-/// Water in soils of the twelve textures: mean of the United States' soils.
-/// Source: Carsel and Parrish 1988, Water Resources Research 24(5).
+/// Water retention by soil texture: means of soils in the United States.
+/// Source  Carsel and Parrish 1988, Water Resources Research 24(5).
 struct Texture {
   const char* name;
   double theta_r, theta_s, alpha_1pcm, n, conductivity_cmpd;
@@ -45,7 +45,7 @@ constexpr Texture kTextures[] = {
     {"clay", 0.068, 0.38, 0.008, 1.09, 4.8},
 };
 
-/// Key `texture`; none is a soil that neither takes in nor gives off water.
+/// Reads `texture`. A soil with `none` neither takes in nor gives off water.
 SoilWater ReadWater(const ConfigMap& config) {
   constexpr double kPerMetre = 100, kDay_s = 86400;
   const std::string name = config.Choice(
@@ -62,7 +62,7 @@ SoilWater ReadWater(const ConfigMap& config) {
 }
 
 BearingFactors GeneralShear(double tan_phi) {
-  constexpr double kLeastTan = 1e-3;  // below it N_c has its limit pi + 2
+  constexpr double kLeastTan = 1e-3;  // below it N_c is close to its limit, pi + 2
   const double t = std::max(tan_phi, kLeastTan);
   const double phi = std::atan(t);
   const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
@@ -70,7 +70,7 @@ BearingFactors GeneralShear(double tan_phi) {
       .n_c = (n_q - 1) / t, .n_q = n_q, .n_gamma = 2 * (n_q + 1) * t, .friction_angle_rad = phi};
 }
 
-/// Share of friction that a load leaves which lasts as long as a pass, under gear of that width.
+/// Share of the friction that is left under a load as short as one pass of running gear.
 double FrictionOfAPass(const SoilType& soil, double width_m) {
   const double filled = std::clamp((soil.moisture - kAirCutOff) / (1 - kAirCutOff), 0.0, 1.0);
   const double weight_npm3 = kWater_kgpm3 * kStandardGravity_mps2;
@@ -164,7 +164,7 @@ SoilType ScaledByFooting(const SoilType& soil, const Footing& footing) {
 }
 
 double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa) {
-  constexpr double kLeastVoids = 1e-3;  // a description may have none
+  constexpr double kLeastVoids = 1e-3;  // guards against a soil described without voids
   if (!std::isfinite(pressure_pa)) return soil.max_density_kgpm3;
   const double bank_kgpm3 = soil.bank_density_kgpm3;
   const double water_kgpm3 = soil.moisture * kWater_kgpm3;

@@ -11,7 +11,8 @@ namespace tera {
 namespace {
 
 constexpr double kWilting_pa = 1.5e6;
-constexpr double kOverburden_pa = 10e3;  ///< between grains near the surface, as kBorne_pa
+/// stress between grains near the surface, equal to kBorne_pa
+constexpr double kOverburden_pa = 10e3;
 
 double Effective(const SoilWater& water, double moisture) {
   return std::clamp((moisture - water.residual) / (1 - water.residual), 0.0, 1.0);
@@ -40,7 +41,7 @@ double MoistureAt(const SoilWater& water, double suction_m) {
 
 double SuctionStress_pa(const SoilWater& water, double moisture) {
   if (!water.holds()) return 0;
-  // Soil that dries beyond wilting keeps the stress that it has there.
+  // Drier soil keeps the suction stress of the wilting point.
   const double weight_npm3 = kWater_kgpm3 * kStandardGravity_mps2;
   const double wilting =
       std::pow(1 + std::pow(water.alpha_1pm * kWilting_pa / weight_npm3, water.n), 1 / water.n - 1);
@@ -56,7 +57,7 @@ SoilType AtMoisture(const SoilType& soil, double moisture) {
   wet.moisture = moisture;
   const double pores = Porosity(soil.bank_density_kgpm3, soil.moisture);
   wet.bank_density_kgpm3 += pores * (moisture - soil.moisture) * kWater_kgpm3;
-  // Water over the mass of grains, and the density at which it fills the pores.
+  // Ratio of water mass to grain mass, and the bulk density of the soil with full pores.
   const double grains_kgpm3 = kGrains_kgpm3 * (1 - pores);
   const double was = pores * soil.moisture * kWater_kgpm3 / grains_kgpm3;
   const double is = pores * moisture * kWater_kgpm3 / grains_kgpm3;

@@ -5,33 +5,33 @@
 
 namespace tera {
 
-/// Soil of one kind on the move: a mass, and the volume it takes up.
+/// Moving soil of one kind: its mass and its volume.
 struct Spoil {
   double mass_kg = 0;
   double volume_m3 = 0;
-  std::uint8_t soil = 0;  ///< index into the site's soils
+  std::uint8_t soil = 0;  ///< index into the soil kinds of the site
   float moisture = 0;     ///< degree of saturation, 0..1
 
-  /// Takes up more of the same soil.
+  /// Adds soil of the same kind.
   void Add(const Spoil& other);
-  /// Takes the share `f` in [0, 1] out of this.
+  /// Removes the share `f` in [0, 1] and returns it.
   Spoil Take(double f);
 };
 
-/// Soils on the move together, each kind once.
+/// Moving soil of several kinds, each kind listed once.
 class SpoilMix {
  public:
   void Add(const Spoil& spoil);
   void Add(const SpoilMix& other);
-  /// Takes the share `f` in [0, 1] out of every kind.
+  /// Removes the share `f` in [0, 1] of every kind and returns it.
   SpoilMix Take(double f);
   void clear() { parts_.clear(); }
   bool empty() const { return parts_.empty(); }
   double mass_kg() const;
   double volume_m3() const;
-  /// The kind with the most mass; the first soil if there is none.
+  /// Kind with the greatest mass; 0 if empty.
   std::uint8_t main_soil() const;
-  /// In the order of the soils' indices.
+  /// Sorted by the index of the kind.
   const std::vector<Spoil>& parts() const { return parts_; }
 
  private:

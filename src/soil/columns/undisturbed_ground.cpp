@@ -14,7 +14,7 @@ TerrainSurface::Cover CoverOf(const GroundProfile& profile) {
           .moisture = static_cast<std::uint8_t>(std::lround(255.0f * top.moisture))};
 }
 
-/// Whether a segment meets a box, by clipping it to one slab after the other.
+/// True if a segment meets a box, by clipping the segment to one slab after the other.
 bool Meets(const Vec2& from, const Vec2& to, const Vec2& low, const Vec2& high) {
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 2; ++axis) {

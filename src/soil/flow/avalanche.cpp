@@ -9,33 +9,34 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 1.1 * kDeg;  ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 0.9 * kDeg;   ///< friction of slow flow lies this far above it
-/// Friction of fast flow is reached in between these Froude numbers, speed over sqrt(g thickness).
+constexpr double kStart_rad = 1.1 * kDeg;  ///< start angle above the angle of repose
+constexpr double kSlow_rad = 0.9 * kDeg;  ///< friction angle of slow flow above the angle of repose
+/// Range of Froude numbers, v / sqrt(g h), over which friction changes from slow to fast.
 constexpr double kSlowFroude = 0.1, kFastFroude = 0.5;
-/// It is that of soil that flows through its depth, not of a skin: shares of the loose soil.
+/// Range of flowing over loose thickness with the same change, from a thin skin to the full depth.
 constexpr double kSkinShare = 0.3, kDeepShare = 0.6;
-/// Rise of friction with the inertial number where that is small: (mu_2 - mu_s) / I_0 of Jop,
-/// Forterre and Pouliquen's beads, (0.643 - 0.382) / 0.279.
+/// Increase of friction per inertial number where that is small: (mu_2 - mu_s) / I_0 = (0.643 -
+/// 0.382) / 0.279 for the beads of Jop, Forterre and Pouliquen.
 constexpr double kInertialFriction = 0.93;
 constexpr double kBagnold = 2.5;        ///< shear rate at the bed over mean speed by thickness
-constexpr double kCreep_mps = 0.005;    ///< slower flows come to rest where none would start
-constexpr double kTrickle_m2ps = 2e-5;  ///< so do flows of less volume for each metre of width
-constexpr double kStep_s = 0.008;       ///< flow is slow beside tools, which need shorter steps
-constexpr int kStepsPerLoad = 12;       ///< banks under gear are looked at every tenth of a second
-constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
-/// Share of the start angle's slope below which, along both axes, no column starts to flow.
+constexpr double kCreep_mps = 0.005;    ///< slower flow stops on slopes below the start angle
+constexpr double kTrickle_m2ps = 2e-5;  ///< smaller flow stops there too, per metre of width
+constexpr double kStep_s = 0.008;       ///< longer than the step of the tools, because flow is slow
+/// banks under running gear are checked every 12 steps, about 0.1 s
+constexpr int kStepsPerLoad = 12;
+constexpr double kLongestStep_cells = 0.5;  ///< greatest displacement in a step
+/// A column below this share of the start slope, to all sides, does not start to flow.
 constexpr double kGentle = 0.65;
-constexpr double kLevel = 1e-9;           ///< a gradient that is none
-constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
-constexpr double kMobileOverExcess = 20;  ///< thickness that flows over the soil that stands too
-                                          ///< steep
-constexpr double kLeastUp = 0.05;         ///< of a floor's normal and a surface's on it
+constexpr double kLevel = 1e-9;   ///< least gradient, against division by zero
+constexpr double kFilm_m = 1e-4;  ///< the thinnest layer that flows
+/// flowing thickness over the thickness above the slope of slow friction
+constexpr double kMobileOverExcess = 20;
+constexpr double kLeastUp = 0.05;  ///< least cosine between vertical and a normal
 
-/// Length where numbers neither overflow nor vanish: quicker than std::hypot.
+/// Length of a vector. Faster than std::hypot, for values that neither overflow nor underflow.
 double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// From 0 at `low` to 1 at `high`.
+/// Rises linearly from 0 at `low` to 1 at `high`.
 double Ramp(double x, double low, double high) {
   return std::clamp((x - low) / (high - low), 0.0, 1.0);
 }
@@ -63,7 +64,7 @@ void Avalanche::StandOnSteel(const Vec3& up, bool is_open, Columns* ground) {
   }
 }
 
-/// Makes the column and its neighbours active.
+/// Activates the column and its neighbours.
 void Avalanche::Wake(ColumnId k, Columns* ground) {
   if (ground->IsWithinTile(k)) return active_.AddWithNeighbours(k);
   for (int dj = -1; dj <= 1; ++dj) {
@@ -84,19 +85,19 @@ double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Column
   return m == Columns::kNone || m >= motion_.size() ? 0.0 : motion_[m].face_mps[axis];
 }
 
-/// Whether soil crosses one of a column's faces.
+/// True if soil crosses any face of the column.
 bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
   return motion_[k].face_mps[kX] != 0 || motion_[k].face_mps[kY] != 0 ||
          VelocityOf(k, -1, 0, kX, ground) != 0 || VelocityOf(k, 0, -1, kY, ground) != 0;
 }
 
-/// Finds a column's slopes, and whether it neither flows nor is steep enough to start.
+/// Computes the slopes of a column, and whether it rests.
 void Avalanche::LookAround(ColumnId k, const Columns& ground) {
   const Columns::Skin& c = ground.skin(k);
   const bool is_within = ground.IsWithinTile(k);
   double steepest_m = 0;
   std::uint8_t soil = c.soil;
-  /// By how much loose soil beside stands higher, or here.
+  /// Height difference to a neighbour, limited to the loose soil of the higher column.
   const auto loose_rise_m = [&](int di, int dj) {
     const Columns::Skin* beside = is_within ? &c + Columns::Step(di, dj) : ground.Beside(k, di, dj);
     if (beside == nullptr) return 0.0;
@@ -115,9 +116,9 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
                  !Flows(k, ground);
 }
 
-/// Speed after a step's friction. The soil flows `flow_m` thick in the loose depth `loose_m`, on a
-/// floor that gravity presses it to. Friction that rises with speed is that of the final speed,
-/// lest it overshoot.
+/// Speed after friction. The soil flows `flow_m` thick in the loose depth `loose_m`, under gravity
+/// normal to its bed. If friction rises with speed, it is evaluated at the final speed, so that a
+/// step cannot overshoot.
 double Avalanche::Friction::Braked(double before_mps, double speed_mps, const Layer& layer,
                                    double gravity_mps2, double dt_s) const {
   const double froude = before_mps / std::sqrt(gravity_mps2 * layer.flow_m);
@@ -132,7 +133,7 @@ double Avalanche::Friction::Braked(double before_mps, double speed_mps, const La
                       : speed_mps - slow_mps - rise_mps;
 }
 
-/// The drive at a face on a tilted floor, from that on a level one.
+/// Turns the drive at a face on a level floor into that on the tilted floor.
 Avalanche::Drive Avalanche::OnFloor(const Drive& level, Axis axis, std::uint8_t soil) const {
   const double t = tilt_[axis], t_across = tilt_[axis == kX ? kY : kX];
   if (SlidesOnSteel(soil)) {
@@ -146,7 +147,7 @@ Avalanche::Drive Avalanche::OnFloor(const Drive& level, Axis axis, std::uint8_t 
           level.friction};
 }
 
-/// The flux through the face between two columns after the step.
+/// Flux through the face between two columns at the end of the step.
 Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                   const Columns& ground) const {
   Flux flux{k, to, axis};
@@ -158,7 +159,8 @@ Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_
   if (high.top_m > low.blocked_m || !high.is_loose) return flux;
   const double before_mps = motion_[k].face_mps[axis];
 
-  const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
+  // (di, dj) points along the axis, (dj, di) across it
+  const int di = axis == kX ? 1 : 0, dj = 1 - di;
   const Axis other = axis == kX ? kY : kX;
   const double across_slope =
       0.5 * (motion_[k].across_slope[axis] + motion_[to].across_slope[axis]);
@@ -176,7 +178,7 @@ Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_
   flux.gradient = Norm(drive.along, drive.across);
   flux.slides = drive.slides;
 
-  // Momentum that the flow itself brings, from upstream.
+  // Upwind advection of momentum.
   const auto upstream = [&](double speed_mps, int i, int j) {
     if (speed_mps == 0) return 0.0;
     const int sign = speed_mps > 0 ? -1 : 1;
@@ -188,7 +190,7 @@ Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_
   const double driven_across_mps = across_mps - dt_s * drive.gravity_mps2 * drive.across;
   const double speed_mps = Norm(along_mps, driven_across_mps);
   const double most_loose_m = std::max(a.loose_m, b.loose_m);
-  // Less than a grain's thickness rolls down a steep floor grain by grain.
+  // On a tilted floor, a layer thinner than one grain rolls grain by grain.
   const double thinnest_m = is_tilted_ ? std::max(kFilm_m, friction.grain_m) : kFilm_m;
   const double mobile_m = drive.slides
                               ? std::max(most_loose_m, kFilm_m)
@@ -215,8 +217,8 @@ void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
   }
 }
 
-/// A flow takes with it the soil that stands above the slope that friction holds, each face its
-/// share of the full gradient.
+/// Sets the flowing thickness: a multiple of the soil above the slope that friction holds. Each
+/// face counts its share of the full gradient.
 void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
   Motion& source = motion_[flux.source()];
   const Columns::Skin& c = ground.skin(flux.source());
@@ -232,7 +234,7 @@ void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
       std::min(c.loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
 }
 
-/// Thickness of the layer that a flux takes from its source in a step, if there is enough.
+/// Thickness that a flux requests from its source in this step.
 double Avalanche::Wanted_m(const Flux& flux, double dt_s, const Columns& ground) {
   const double loose_m = ground.skin(flux.source()).loose_m;
   double& velocity_mps = motion_[flux.column].face_mps[flux.axis];
@@ -242,11 +244,11 @@ double Avalanche::Wanted_m(const Flux& flux, double dt_s, const Columns& ground)
   if (loose_m >= kFilm_m) {
     return std::abs(velocity_mps) * dt_s / ground.cell_m() * motion_[flux.source()].mobile_m;
   }
-  velocity_mps = 0;  // a film leaves at once, and has no momentum to speak of
+  velocity_mps = 0;  // a film leaves at once; its momentum is neglected
   return loose_m;
 }
 
-/// Lets the new velocities carry loose soil, no column giving more than it has.
+/// Moves loose soil by the new velocities. A column gives at most its flowing thickness.
 void Avalanche::MoveSoil(double dt_s, Columns* ground) {
   moved_.clear();
   for (const Flux& flux : fluxes_) {
@@ -267,7 +269,7 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
   }
 }
 
-/// Lets the banks that cannot stand fail, all judged by one state of the ground.
+/// Lets unstable banks fail. All are judged by the same state of the ground.
 void Avalanche::FailWalls(double dt_s, Columns* ground, Grains* grains) {
   std::vector<StandingWalls::Failure> failures;
   for (const ColumnId k : visited_) {

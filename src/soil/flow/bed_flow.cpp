@@ -9,11 +9,11 @@
 namespace tera {
 namespace {
 
-constexpr double kTurned_rad = 1e-3;  ///< a floor that has turned by less stands as it did
-constexpr double kOverRim_m = 0.005;  ///< soil stands so far above the rim before a clod falls
+constexpr double kTurned_rad = 1e-3;  ///< a smaller rotation leaves soil at rest
+constexpr double kOverRim_m = 0.005;  ///< height of soil above the rim before a clod falls
 constexpr double kSteepest_rad = 80 * kDeg;
 
-/// How high soil may stand in a column half a cell inside a border: at repose from its rim.
+/// Greatest height of soil in a border column, half a cell inside: at repose from the rim.
 double Rim_m(const Bed& bed, int i, int j, double repose_rad) {
   const Columns& columns = bed.columns();
   const Vec3 up_F = bed.up_F();
@@ -32,7 +32,7 @@ double Rim_m(const Bed& bed, int i, int j, double repose_rad) {
 
 }  // namespace
 
-/// Soil at rest may slide on a floor that has turned.
+/// Passes a changed tilt or gate to the avalanche, so that soil at rest may slide.
 void BedFlow::Stand(Bed* bed) {
   const Vec3 up_F = bed->up_F();
   const bool is_open = bed->gate_is_open() && up_F.x() > 0;

@@ -8,18 +8,20 @@
 namespace tera {
 namespace {
 
-constexpr double kClod_m3 = 1e-4;        ///< about 6 cm across
-constexpr double kLargestClods = 8;      ///< times that, when as many as may be are under way
-constexpr double kUseOfRoom = 0.8;       ///< by soil that falls at once: each column's makes whole
-                                         ///< clods
-constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
+constexpr double kClod_m3 = 1e-4;  ///< about 6 cm across
+/// growth of the clod volume when the number of clods is at its limit
+constexpr double kLargestClods = 8;
+/// used share of the remaining clods; the rest covers rounding to whole clods in each column
+constexpr double kUseOfRoom = 0.8;
+constexpr double kLongestSlide_s = 3;    ///< a clod rests after this time
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
-constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
-constexpr int kMostFalls = 40;           ///< columns over which soil that is laid down falls on
-constexpr double kSteep = 1;             ///< slope of a column beside that a clod does not reach
+constexpr double kScatter_mps = 0.15;    ///< standard deviation of a clod's velocity on each axis
+constexpr int kMostFalls = 40;           ///< most columns over which deposited soil falls on
+constexpr double kSteep = 1;             ///< slope to a neighbour that a clod does not spread to
 constexpr double kWall = 2;              ///< slope that a clod does not climb
 
-/// Whether soil put on a column would fall off it, as off a wall, to the lowest one around.
+/// Moves `at` to the lowest neighbour if soil on `at` would fall off as off a wall. True if it
+/// moved.
 bool FallsOn(const Columns& ground, Columns::Place* at) {
   if (!ground.Contains(at->i, at->j)) return false;
   const double edge_m = ground.TopAt(at->i, at->j) - kWall * ground.cell_m();
@@ -40,7 +42,7 @@ Columns::Place NearestPlace(const Columns& ground, const Vec3& p_W_m) {
   return {ground.NearestI(p_W_m.x()), ground.NearestJ(p_W_m.y())};
 }
 
-/// Puts soil on a column, or where it falls to from there, in parcels no thicker than a cell.
+/// Deposits soil at a column, or where it falls from there, in parcels no thicker than a cell.
 void PutDown(const Columns::Place& place, Spoil spoil, Columns* ground) {
   const double cell_m3 = ground->cell_m() * ground->area_m2();
   for (int n = static_cast<int>(std::ceil(spoil.volume_m3 / cell_m3)); n > 0; --n) {
@@ -51,8 +53,8 @@ void PutDown(const Columns::Place& place, Spoil spoil, Columns* ground) {
   }
 }
 
-/// Lays soil on the four columns around a point, so that its middle stays where it is, but on none
-/// that stands beside the point as a wall.
+/// Spreads soil over the four columns around a point so that its centre stays there. Skips columns
+/// that rise beside the point like a wall.
 void Spread(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
   auto [i, j] = NearestPlace(*ground, p_W_m);
   if (ground->x_m(i) > p_W_m.x()) --i;
@@ -72,15 +74,14 @@ void Spread(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
   }
 }
 
-/// Whether a clod comes to lie where it meets the ground: in loose soil deep enough to take it in.
-/// From a steep flank it flows on with that soil.
+/// True if the loose soil at the point is thicker than the clod's radius and so absorbs it.
 bool TakesIn(const Columns& ground, const Vec3& p_W, double radius_m) {
   const auto [i, j] = NearestPlace(ground, p_W);
   const ColumnId k = ground.IdAt(i, j);
   return k != Columns::kNone && ground.skin(k).is_loose && ground.skin(k).loose_m > radius_m;
 }
 
-/// Takes up to `loss_mps` of speed.
+/// Reduces the speed by up to `loss_mps`.
 Vec3 Slowed(const Vec3& v_mps, double loss_mps) {
   const double speed_mps = v_mps.norm();
   return speed_mps > loss_mps ? Vec3(v_mps * (1 - loss_mps / speed_mps)) : Vec3(Vec3::Zero());
@@ -158,8 +159,7 @@ void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Kind kind, Columns* 
   }
 }
 
-/// The soil that a clod becomes: that of a bank has swollen by the share of the bank's way that it
-/// has gone.
+/// The soil that a clod becomes. Soil of a bank has swollen in proportion to the way it has slid.
 Spoil Grains::Loosened(const Grain& grain) const {
   Spoil spoil = grain.spoil;
   if (grain.way_m <= 0) return spoil;
@@ -168,8 +168,7 @@ Spoil Grains::Loosened(const Grain& grain) const {
   return spoil;
 }
 
-/// Lets a clod of a bank slide on with it, unless it has come to the end of the bank's way or meets
-/// ground that lies in it.
+/// Slides a clod with its bank. The slide ends after the bank's way or when the clod meets ground.
 bool Grains::GoesWithBank(double dt_s, const Columns& ground, Grain* grain) {
   const Vec3 v_W = grain->v_W_mps + dt_s * grain->slide_W_mps2.cast<double>();
   const Vec3 p_W = grain->p_W_m + dt_s * v_W;
@@ -186,8 +185,8 @@ bool Grains::GoesWithBank(double dt_s, const Columns& ground, Grain* grain) {
   return true;
 }
 
-/// Whether a sliding clod goes on where soil has come to lie under it. It needs enough energy of
-/// its own for the lift; otherwise it is buried.
+/// Lifts a sliding clod onto soil that has risen under it. False if its kinetic energy does not
+/// suffice, so that it is buried.
 bool Grains::RisesWithGround(const Columns& ground, Grain* grain) {
   const double rise_m = ground.HeightAt(grain->p_W_m.x(), grain->p_W_m.y()) - grain->p_W_m.z();
   if (rise_m <= 0) return true;
@@ -229,7 +228,7 @@ bool Grains::Move(double dt_s, const Vec3& up, const Columns& ground, Grain* gra
   return (holds && v_W.norm() < kRestSpeed_mps) || grain->slid_s > kLongestSlide_s;
 }
 
-/// Does as Move, in the frame of a bed's floor.
+/// Move in the frame of the floor of a bed.
 bool Grains::MoveInBed(double dt_s, const Bed& bed, Grain* grain) const {
   const Pose& X_WF = bed.X_WF();
   Grain in_F = *grain;

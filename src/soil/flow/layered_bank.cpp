@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kThinnest_m = 1e-6;
 constexpr double kAngleStep_rad = 3 * kDeg;
-constexpr double kLeastHold_npm = 1e-3;  ///< of a bank that nothing holds
+/// resistance of a bank without cohesion, against division by zero
+constexpr double kLeastHold_npm = 1e-3;
 
 double OmegaAt_rad(int angle) { return (angle + 1) * kAngleStep_rad; }
 
@@ -78,7 +79,7 @@ LayeredBanks::LayeredBanks(const std::vector<SoilType>& soils) {
   }
 }
 
-/// The surface of a block whose `cracked` uppermost layers have cracked.
+/// Slip surface whose `cracked` uppermost layers crack vertically.
 SlipSurface LayeredBanks::SlipAt(std::span<const BankLayer> layers, int cracked, double run_m,
                                  int angle) const {
   SlipSurface slip;
@@ -118,7 +119,7 @@ SlipSurface LayeredBanks::LeastSafe(std::span<const BankLayer> layers, double ru
       if (slip.drives_over_holds <= least.drives_over_holds) continue;
       if (slip.length_m() > beyond_m) least = slip;
     }
-    // A layer that is thicker than its cracks are deep holds together.
+    // A layer thicker than its crack depth does not crack through.
     if (layers[cracked].height_m > soils_[layers[cracked].soil].crack_m) break;
   }
   return least;

@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// A part of a bank's height, of one soil.
+/// A layer of one soil in a bank.
 struct BankLayer {
   double height_m = 0;
   std::uint8_t soil = 0;
 };
 
-/// Layers that a bank stands in, from its top down, without loose soil on it.
+/// Layers of a bank from its top down, without the loose soil on it.
 struct BankLayers {
   static constexpr int kMost = 6;
 
@@ -27,35 +27,35 @@ struct BankLayers {
   }
 };
 
-/// A surface along which a bank slips, from its toe up.
+/// A slip surface of a bank, from its toe up.
 struct SlipSurface {
   struct Part {
     double height_m = 0;
     double tan_slope = 0;
   };
   std::array<Part, BankLayers::kMost> part;
-  int count = 0;            ///< above these parts soil cracks upright
-  double tan_friction = 0;  ///< of the soils that it goes through, by its length in each
+  int count = 0;            ///< number of parts; the soil above them cracks vertically
+  double tan_friction = 0;  ///< mean over the soils along the surface, weighted by length
   double drives_over_holds = 0;
 
-  /// Height above the toe at a level distance behind it; none (infinite) behind the crack.
+  /// Height above the toe at a horizontal distance behind it; infinite behind the crack.
   double HeightAt(double behind_m) const;
-  /// Level and upright length.
+  /// Horizontal and vertical extent.
   double length_m() const;
   double height_m() const;
 };
 
-/// Finds the surface on which a bank of layers is the least safe.
+/// Finds the slip surface with the least safety in a layered bank.
 ///
-/// Model   The bank's face rises from the toe over `run_m`; its surface comes out farther behind
-///         the toe than `beyond_m`. The slipping soil moves as one block at an angle omega below
-///         the level. Its slip surface has a kink at each border, where it leaves layer k at omega
-///         + phi_k (upper bound). The weight drives W sin(omega), and each layer holds c_k L_k
-///         cos(phi_k). In one soil that is Culmann's wedge. The search covers all omega, the
-///         surface through all layers, and the surfaces that run out along a border. Layers above
-///         such a border crack upright to the depth 2 c / (rho g) tan(45 deg + phi / 2) of each,
-///         and there are a mere load.
-/// Omits   layers that slip on their own, water in cracks.
+/// Model   The face of the bank rises over a horizontal length `run_m`. Only surfaces that reach
+///         the ground more than `beyond_m` behind the toe count. The slipping soil moves as one
+///         block at an angle omega below horizontal. Its slip surface has a kink at each layer
+///         border: in layer k its slope is omega + phi_k (upper bound). The weight drives with W
+///         sin(omega); each layer resists with c_k L_k cos(phi_k). In a single soil this is
+///         Culmann's wedge. The search covers all omega, surfaces through all layers, and surfaces
+///         that end at a layer border. The layers above such a border crack vertically and act as
+///         load only. The crack depth of a layer is 2 c / (rho g) tan(45 deg + phi / 2).
+/// Omits   Slips within an upper layer alone, water in cracks.
 /// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 9; cracks: Terzaghi 1943, Theoretical
 ///         Soil Mechanics, ch. 9.
 class LayeredBanks {
@@ -64,13 +64,15 @@ class LayeredBanks {
   SlipSurface LeastSafe(std::span<const BankLayer> layers, double run_m, double beyond_m) const;
 
  private:
-  /// The least safety is flat over the angle. Steps of 3 deg overestimate it by 0.5 % for upright
-  /// faces, and by 4 % where the face is only 15 deg steeper than friction.
+  /// The safety varies little around its minimum. Steps of 3 deg overestimate it by 0.5 % for
+  /// vertical faces, and by 4 % for a face only 15 deg steeper than friction.
   static constexpr int kAngles = 29;
   struct Soil {
     double weight_npm3, crack_m, tan_friction;
-    std::array<double, kAngles> goes;     ///< level over height of its slip surface; 0 if upright
-    std::array<double, kAngles> hold_pa;  ///< of cohesion, against the block's motion
+    /// horizontal over vertical extent of the slip surface; 0 for vertical
+    std::array<double, kAngles> goes;
+    /// resistance from cohesion against the motion of the block
+    std::array<double, kAngles> hold_pa;
   };
   SlipSurface SlipAt(std::span<const BankLayer> layers, int cracked, double run_m, int angle) const;
 

@@ -10,18 +10,19 @@
 namespace tera {
 namespace {
 
-constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
+constexpr int kLookDown = 12;  ///< columns over which the height of a bank is measured
 constexpr double kLeastOverhang_m = 2e-4;
-/// A lower face under gear is a matter of bearing, which Bekker's pressure has.
+/// Lower faces under running gear are left to Bekker's pressure-sinkage.
 constexpr double kLeastLoaded_m = 0.3;
-constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
-constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
-constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers the crumbling soil
+/// soil with a lower critical height crumbles instead of slipping
+constexpr double kLeastWedge_m = 0.1;
+constexpr double kBreakSpeed_mps = 1.0;  ///< rate at which a bank crumbles, in height
+constexpr double kVeneer_m = 0.05;       ///< thicker loose soil protects the bank from crumbling
 constexpr double kLongestWedge_m = 10;
-constexpr double kDeeper_m = 1e-3;  ///< by less, a toe farther off is no deeper
-/// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
+constexpr double kDeeper_m = 1e-3;  ///< a farther toe must be deeper by at least this
+/// Least length of the summed directions of fall; below it, ground falls to all sides alike.
 constexpr double kLeastLean = 0.1;
-constexpr double kSide = 1 + 1e-9;  ///< columns on the side of a strip belong to it
+constexpr double kSide = 1 + 1e-9;  ///< tolerance for columns on the edge of a strip
 
 struct Direction {
   int di, dj;
@@ -36,7 +37,7 @@ const std::array<Direction, 8> kDirections = {{{1, 0, 1},
                                                {1, -1, std::sqrt(2.0)},
                                                {-1, 1, std::sqrt(2.0)}}};
 
-/// Soil of a column's bank at its top, and the height over which it reaches down.
+/// Uppermost standing soil of a column, z of its top and its thickness.
 struct Bank {
   std::uint8_t soil;
   double top_m, thickness_m;
@@ -58,8 +59,7 @@ Bank BankAt(ColumnId k, const Columns& ground) {
   return bank;
 }
 
-/// Level direction, of length 1, in which the ground beside a column falls away to below `z_m`;
-/// zero where it does so on all sides alike.
+/// Horizontal unit vector towards the neighbours below `z_m`; zero if they lie on all sides alike.
 Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
   Vec2 sum = Vec2::Zero();
   for (const auto& [di, dj, distance] : kDirections) {
@@ -69,13 +69,13 @@ Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
   return sum.norm() > kLeastLean ? Vec2(sum.normalized()) : Vec2(Vec2::Zero());
 }
 
-/// Cuts off the wedge behind an edge, in a strip as wide as the column at the edge.
+/// Cuts the wedge behind an edge out of the ground, in a strip as wide as the column at the edge.
 void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
               std::vector<Grains::Broken>* broken) {
   const auto [i0, j0] = ground->PlaceOf(failure.column);
   const Vec2 edge(ground->x_m(i0), ground->y_m(j0)), out = failure.out;
   const double toe_m = failure.top_m - failure.drop_m;
-  // Down the slip surface's chord, against the friction of the soils through which it goes.
+  // The block slides down the chord of the slip surface, against the friction along it.
   const double length_m = failure.slip.length_m();
   const double chord_rad = std::atan2(failure.slip.height_m(), length_m);
   const double friction_rad = std::atan(failure.slip.tan_friction);
@@ -113,8 +113,8 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
   }
 }
 
-/// Mean pressure of gear on the surface of the wedge behind an edge, `length_m` to where its slip
-/// surface comes out.
+/// Mean pressure of running gear on the surface of a wedge. `length_m` is the distance from the
+/// edge to the end of the slip surface.
 double Surcharge_pa(ColumnId k, const Direction& out, double length_m, const Columns& ground) {
   const auto [i, j] = ground.PlaceOf(k);
   const double step_m = out.distance * ground.cell_m();
@@ -145,7 +145,7 @@ StandingWalls::StandingWalls(const std::vector<SoilType>& soils) : layered_(soil
   }
 }
 
-/// A quick look before a closer one.
+/// Quick test: true if a neighbour lies below the slope that stands at any height.
 bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   const Columns::Skin& c = ground.skin(k);
   const double straight_m = c.top_m - c.loose_m - least_tan_stand_ * ground.cell_m();
@@ -162,15 +162,15 @@ bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   });
 }
 
-/// Calls `take(out, m, step_m, fall_m, edge_fall_m)` for the columns below the top of a bank, m
-/// columns of step_m away. It does this on each side that falls off more than `tan_edge`.
+/// Calls `take(out, m, step_m, fall_m, edge_fall_m)` for the columns in front of a bank. m counts
+/// columns of length step_m. Sides whose first slope is at most `tan_edge` are skipped.
 template <typename Take>
 void ForFalls(ColumnId k, double top_m, double tan_edge, const Columns& ground, Take take) {
   const auto [i, j] = ground.PlaceOf(k);
   for (const Direction& out : kDirections) {
     const auto& [di, dj, distance] = out;
     const double step_m = distance * ground.cell_m();
-    double edge_fall_m = 0;  // to the neighbour on that side
+    double edge_fall_m = 0;  // fall to the first neighbour
     for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
       const ColumnId below = ground.IdAt(i + m * di, j + m * dj);
       if (below != Columns::kNone && ground.IsBlocked(below)) break;  // a tool holds the bank up
@@ -191,7 +191,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
   return is_low && ground.IsBlocked(k) ? std::nullopt : failure;
 }
 
-/// Whether the uppermost soil stands by itself.
+/// Stability of the uppermost soil alone.
 std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
                                                                   const Columns& ground) const {
   const Bank bank = BankAt(k, ground);
@@ -205,7 +205,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
              const double run_m = (m - 1) * step_m;
              const double face_rad = std::atan2(drop_m, run_m);
              const double plane_rad = 0.5 * (face_rad + soil.friction_angle_rad);
-             if (drop_m <= limit.tan_stand * m * step_m) return;  // however high or loaded
+             if (drop_m <= limit.tan_stand * m * step_m) return;  // stable at any height and load
              const double load_pa =
                  limit.upright_m <= kLeastWedge_m || drop_m < kLeastLoaded_m
                      ? 0
@@ -237,7 +237,7 @@ bool StandingWalls::StandsAsSlope(const BankLayers& layers, double length_m) con
   return slope_m <= length_m;
 }
 
-/// Whether a bank of several soils, whose uppermost stands by itself, stands as a whole.
+/// Stability of a bank of several soils whose uppermost soil stands.
 std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
                                                                      const Columns& ground) const {
   const Bank bank = BankAt(k, ground);
@@ -255,7 +255,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
   };
   ForFalls(k, bank.top_m, least_tan_stand_, ground,
            [&](const Direction&, int m, double step_m, double fall_m, double edge_fall_m) {
-             // As high a bank that is less steep is the safer.
+             // A flatter bank of equal height is safer.
              if (m == 1) seen_m = 0;
              if (fall_m <= std::max(bank.thickness_m, seen_m + kDeeper_m)) return;
              seen_m = fall_m;
@@ -278,7 +278,7 @@ void StandingWalls::Fail(const std::vector<Failure>& failures, double dt_s, Colu
       continue;
     }
     const double loose_m = ground->skin(failure.column).loose_m;
-    if (loose_m > kVeneer_m) continue;  // visited again when it has slid off
+    if (loose_m > kVeneer_m) continue;  // checked again when the loose soil has slid off
     ground->Break(failure.column, loose_m + std::min(failure.overhang_m, kBreakSpeed_mps * dt_s));
   }
   double volume_m3 = 0;

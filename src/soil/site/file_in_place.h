@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A file under its own name only when it is whole: `write` writes it under a temporary one, and
-/// says why where it could not. Throws InputError.
+/// Writes a file atomically. `write` receives a temporary path and returns a reason if it fails. On
+/// success the file is renamed to `file`. Throws InputError.
 void PutInPlace(
     const std::filesystem::path& file,
     const std::function<std::optional<std::string>(const std::filesystem::path& part)>& write);

@@ -15,16 +15,16 @@
 namespace tera {
 namespace {
 
-constexpr double kMostPixels = 2.5e7;  ///< of a file that is read: 600 MB while it is
+constexpr double kMostPixels = 2.5e7;  ///< limit for files that are read; needs 600 MB
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
-/// A band's numbers as GDAL converts them to `type`, T's, rows from the south.
+/// Numbers of a band, converted by GDAL to `type`, which must match T. Rows from the south.
 template <typename T>
 std::vector<T> ReadStored(const std::filesystem::path& file, GDALRasterBand* band,
                           GDALDataType type) {
   const int nx = band->GetXSize(), ny = band->GetYSize();
   std::vector<T> pixels(static_cast<std::size_t>(nx) * ny);
-  // The file's first row is the northernmost: the lines are laid down backwards.
+  // The first row of the file is the northernmost one, so the rows are stored backwards.
   T* last_row = pixels.data() + static_cast<std::size_t>(ny - 1) * nx;
   const GSpacing line = -static_cast<GSpacing>(nx) * static_cast<GSpacing>(sizeof(T));
   if (band->RasterIO(GF_Read, 0, 0, nx, ny, last_row, nx, ny, type, 0, line) != CE_None) {
@@ -35,7 +35,7 @@ std::vector<T> ReadStored(const std::filesystem::path& file, GDALRasterBand* ban
   return pixels;
 }
 
-/// Metres in the unit of a raster's heights.
+/// Length in metres of the unit of a raster's heights.
 double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
                     const OGRSpatialReference* system) {
   constexpr double kFoot_m = 0.3048, kSurveyFoot_m = 1200.0 / 3937;
@@ -73,13 +73,13 @@ double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
   return 1;
 }
 
-/// Whether files hold a stored number in the place of no height.
+/// True if files commonly use a stored number for a missing height.
 bool StandsForNoHeight(double stored, GDALRasterBand* band) {
   constexpr std::array kNumbers = {-999.0,   -9999.0, -10000.0, -32767.0, -32768.0,
                                    -99999.0, 9999.0,  32767.0,  65535.0,  99999.0};
   constexpr double kNoInteger = 1e9, kMostOfBytes = 255;
   if (stored == 0) {
-    // Zero is a height too, to one who has marked another number.
+    // Zero is a valid height if the file marks another number as no-data.
     int marks = 0;
     band->GetNoDataValue(&marks);
     return marks == 0;
@@ -89,13 +89,13 @@ bool StandsForNoHeight(double stored, GDALRasterBand* band) {
          (stored == kMostOfBytes && band->GetRasterDataType() == GDT_Byte);
 }
 
-/// A height that a file has once or often, and the way from it to the next other.
+/// An extreme height, the number of its pixels, and the gap to the next height.
 struct Outermost {
   double height_m = 0, gap_m = 0;
   std::int64_t pixels = 0;
 };
 
-/// The lowest height, or the highest as the lowest of all of the other sign.
+/// The lowest height for sign 1, the highest for sign -1.
 Outermost LowestOf(const std::vector<double>& height_m, double sign) {
   constexpr double kNone = std::numeric_limits<double>::max();
   double least_m = kNone, next_m = kNone;
@@ -114,7 +114,7 @@ Outermost LowestOf(const std::vector<double>& height_m, double sign) {
   return {sign * least_m, next_m < kNone ? next_m - least_m : 0, pixels};
 }
 
-/// The widest gap between heights one after the other in size, all but `out_m`.
+/// The widest gap between successive sorted heights, without the height `out_m`.
 double WidestGap_m(std::vector<double> height_m, double out_m) {
   std::erase_if(height_m, [&](double z_m) { return std::isnan(z_m) || z_m == out_m; });
   std::sort(height_m.begin(), height_m.end());
@@ -125,12 +125,12 @@ double WidestGap_m(std::vector<double> height_m, double out_m) {
   return widest_m;
 }
 
-/// Refuses pixels of one number that stands for no height, which no tag says.
+/// Refuses unmarked pixels that stand for a missing height.
 ///
-/// Model   the number is the lowest or the highest of all. Either files commonly hold it in place
-///         of a missing height. It then lies farther from the next than a wall is high and than any
-///         two successive others lie apart. Or it is any number, farther away than the span of all
-///         others and than a tower is high.
+/// Model   The candidates are the lowest and the highest height. A number that files commonly use
+///         for a missing height is refused if its gap to the next height is large. The gap must
+///         exceed the height of a wall and all other gaps. Any other number is refused if its gap
+///         exceeds the span of all other heights and the height of a tower.
 void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
                        const std::vector<double>& height_m, double unit_m) {
   constexpr double kHighestWall_m = 50, kHighestCliffOverSea_m = 100, kTallestTower_m = 1000;
@@ -143,7 +143,7 @@ void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
     return of.gap_m > (number == 0 ? kHighestCliffOverSea_m : kHighestWall_m) &&
            StandsForNoHeight(number, band) && of.gap_m > WidestGap_m(height_m, of.height_m);
   };
-  // Between two heights alone: the one that files hold for none, else the rarer.
+  // The candidate with a common no-data number first, else the rarer one.
   const bool high_stands = StandsForNoHeight(stored(high.height_m), band),
              low_stands = StandsForNoHeight(stored(low.height_m), band);
   const bool is_high_first = high_stands != low_stands ? high_stands : high.pixels < low.pixels;
@@ -162,7 +162,7 @@ void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
                       number == 0 ? "; where it is one, tag a number that no pixel has" : "")});
 }
 
-/// Refuses heights beyond the earth's land, and steps that no ground has.
+/// Refuses heights outside those of the earth, and steps steeper than any ground.
 void RequireHeightsOfTheEarth(const std::filesystem::path& file,
                               const std::vector<double>& height_m, int nx) {
   constexpr double kHighest_m = 20'000, kSteepest_m = 1000;

@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// GDAL with its drivers registered and its messages kept for our own, as long as this lives.
+/// Registers GDAL's drivers and suppresses its messages while this object lives.
 class QuietGdal {
  public:
   QuietGdal();
@@ -26,37 +26,37 @@ class QuietGdal {
 
 using RasterFile = std::unique_ptr<GDALDataset, decltype(&GDALClose)>;
 
-/// Throws the InputError of a file that cannot be used.
+/// Throws an InputError for a file that cannot be used.
 [[noreturn]] void Refuse(const std::filesystem::path& file, const InputFault& fault);
 
-/// Where the pixels of a file lie.
+/// Georeference of the pixels of a file.
 struct RasterFrame {
   int nx = 0, ny = 0;
   std::array<double, 6> affine{};  ///< GDAL's geotransform
   OGRSpatialReference projection;
 
-  /// Place of the pixel (i, j)'s centre, j counted from the south.
+  /// Position of the centre of pixel (i, j); j counts from the south.
   Vec2 PlaceOf(double i, double j) const {
     return {affine[0] + (i + 0.5) * affine[1], affine[3] + (ny - 0.5 - j) * affine[5]};
   }
-  /// The pixel at a place, in fractions of pixels.
+  /// Pixel at a position, in fractions of pixels.
   Vec2 PixelAt(const Vec2& place) const {
     return {(place.x() - affine[0]) / affine[1] - 0.5,
             ny - 0.5 - (place.y() - affine[3]) / affine[5]};
   }
 };
 
-/// Opens a one-band raster. `content` names the needed raster, for messages: "elevation raster".
+/// Opens a one-band raster. `content` describes it in messages, for example "elevation raster".
 RasterFile OpenRaster(const std::filesystem::path& file, std::string_view content);
 
-/// The raster's file, and those beside it that GDAL reads with it (.tfw, .aux.xml).
+/// The raster file and the sidecar files that GDAL reads (.tfw, .aux.xml).
 std::vector<std::filesystem::path> FilesOf(GDALDataset* raster);
 
-/// Projection, geotransform and size of a file. Refuses one without them, one that is not north-up,
-/// and one of more pixels than fit into memory with all that is made of them.
+/// Reads projection, geotransform and size. Refuses a file without them, one that is not north-up,
+/// and one of more than 2.5e7 pixels.
 RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster);
 
-/// The meaning of a band's stored numbers: its scale times them, plus its offset.
+/// Converts the stored numbers of a band to values: scale * stored + offset.
 struct BandScaling {
   explicit BandScaling(GDALRasterBand* band) : scale(band->GetScale()), offset(band->GetOffset()) {}
   double Value(double stored) const { return scale * stored + offset; }
@@ -65,31 +65,32 @@ struct BandScaling {
   double scale, offset;
 };
 
-/// Values of a file's only band, scaled, rows from the south.
+/// Scaled values of the only band of a file, row by row from the south.
 std::vector<double> ReadBand(const std::filesystem::path& file, GDALDataset* raster);
 
-/// Heights of a file's only band in metres, rows from the south; NaN where a pixel has none.
+/// Heights of the only band of a file in metres, row by row from the south; NaN for a missing
+/// height.
 ///
-/// Model   the unit is the band's, else that of the vertical reference system, else the metre. A
-///         pixel has no height where the file's no-data value or mask says so.
-/// Throws InputError for a unit that is not known, for a map in feet whose heights have no unit,
-/// and for pixels so far from all others that they must stand for no height without being marked.
+/// Model   The unit is that of the band, else that of the vertical reference system, else the
+///         metre. A pixel has no height where the no-data value or the mask of the file says so.
+/// Throws  InputError for an unknown unit, and for a map in feet whose heights have no unit. Also
+///         for outliers that must be unmarked missing heights.
 std::vector<double> ReadHeights(const std::filesystem::path& file, GDALDataset* raster);
 
-/// Transverse Mercator about `origin`, whose axes are east and north there.
+/// Transverse Mercator plane about `origin`, with axes east and north at the origin.
 OGRSpatialReference SitePlane(const SiteOrigin& origin);
 
 /// OGC WKT of a reference system.
 std::string WktOf(const OGRSpatialReference& system);
 
-/// Geodetic place of the middle of a file, height zero.
+/// Geodetic position of the middle of a file, with height zero.
 SiteOrigin MiddleOf(const std::filesystem::path& file, const RasterFrame& frame);
 
-/// Spacing of the pixels about the middle, in the site's plane.
+/// Size of the pixel in the middle of a file, in the plane of the site.
 Vec2 PixelSize_m(const std::filesystem::path& file, const RasterFrame& frame,
                  const OGRSpatialReference& plane);
 
-/// Moves places from one reference system to another, or refuses the file.
+/// Converts positions between reference systems. Refuses the file if there is no conversion.
 class Conversion {
  public:
   Conversion(const std::filesystem::path& file, const OGRSpatialReference& from,
@@ -102,8 +103,8 @@ class Conversion {
       transformation_;
 };
 
-/// Drop of the ellipsoid below its tangent plane at latitude `lat_deg`, east and north of the point
-/// of contact. It is the parabola of the two main curvatures of WGS 84.
+/// Drop of the ellipsoid below its tangent plane at latitude `lat_deg`; x east, y north of the
+/// point of contact. It is the parabola of the two principal curvatures of WGS 84.
 class EllipsoidDrop {
  public:
   explicit EllipsoidDrop(double lat_deg);

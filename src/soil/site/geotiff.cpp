@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Values on a grid with bilinear ones between them.
+/// Bilinear value at the grid coordinates (gx, gy).
 double Bilinear(const std::vector<double>& values, int nx, int ny, double gx, double gy) {
   gx = std::clamp(gx, 0.0, nx - 1.0);
   gy = std::clamp(gy, 0.0, ny - 1.0);
@@ -22,7 +22,7 @@ double Bilinear(const std::vector<double>& values, int nx, int ny, double gx, do
   return (1 - v) * ((1 - u) * row[0] + u * row[1]) + v * ((1 - u) * row[nx] + u * row[nx + 1]);
 }
 
-/// Heights of a raster without gaps.
+/// Heights of a raster; refuses missing heights.
 std::vector<double> ReadAllHeights(const std::filesystem::path& file, GDALDataset* raster) {
   std::vector<double> height_m = ReadHeights(file, raster);
   const auto gaps =
@@ -36,7 +36,7 @@ std::vector<double> ReadAllHeights(const std::filesystem::path& file, GDALDatase
   return height_m;
 }
 
-/// A class that a file's number stands for.
+/// Converts a value of the file to a class, or refuses the file.
 std::uint8_t ClassOf(const std::filesystem::path& file, double value) {
   constexpr double kMost = 255;
   if (value < 0 || value > kMost || value != std::floor(value)) {
@@ -48,8 +48,8 @@ std::uint8_t ClassOf(const std::filesystem::path& file, double value) {
   return static_cast<std::uint8_t>(value);
 }
 
-/// Calls visit(x_m, y_m, pixel) for each place of a grid in the site's plane, row by row, with the
-/// file's pixel there in fractions.
+/// Calls visit(x_m, y_m, pixel) for each point of a grid in the plane of the site, row by row.
+/// `pixel` is the point in fractional pixels of the file.
 template <typename Visit>
 void ForPixelsOfGrid(const std::filesystem::path& file, const RasterFrame& frame,
                      const OGRSpatialReference& plane, const Vec2& first_m, const Vec2& cell_m,
@@ -66,7 +66,7 @@ void ForPixelsOfGrid(const std::filesystem::path& file, const RasterFrame& frame
   }
 }
 
-/// Middle and cell count of the smallest grid of the plane that encloses the file.
+/// Sets the size and origin of the smallest grid of the plane that encloses the file.
 void Enclose(const std::filesystem::path& file, const RasterFrame& frame,
              const OGRSpatialReference& plane, SoilClassGrid* grid) {
   std::vector<double> x, y;

@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// Heights of undisturbed ground from another source than a scenario's `terrain:` mapping: a mesh
-/// of the site.
+/// Heights of undisturbed ground that do not come from the scenario's `terrain:` mapping, but from
+/// a mesh of the site.
 ///
-/// Frames  W: a grid of square cells whose middle is W's origin.
-/// Model   bilinear between its vertices; the site's size is that of the grid.
+/// Frames  W: a grid of square cells with its middle at the origin of W.
+/// Model   Bilinear between vertices. The site has the size of the grid.
 struct GivenGround {
   int nx = 0, ny = 0;
   double cell_m = 0;

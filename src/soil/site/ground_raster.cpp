@@ -14,17 +14,17 @@
 namespace tera {
 namespace {
 
-constexpr int kBlock = 256;              ///< pixels to a side of a packed block
-constexpr int kWithoutOverviews = 2048;  ///< pixels to a side that are drawn as they are
-constexpr int kSmallestOverview = 512;   ///< pixels
+constexpr int kBlock = 256;              ///< side of a compressed block, in pixels
+constexpr int kWithoutOverviews = 2048;  ///< larger rasters get overviews, in pixels per side
+constexpr int kSmallestOverview = 512;   ///< in pixels per side
 constexpr int kCells = TerrainGrid::kTileCells;
 
-/// One property of the ground, column by column. Quiet tiles of one profile are answered from it.
+/// One property of the ground, column by column. Undisturbed tiles of one profile need no columns.
 class ColumnValues {
  public:
   ColumnValues(const Columns& columns, GroundRaster raster, const SiteOrigin& origin);
   double At(int i, int j) const;
-  /// The value of a pixel that covers `n` x `n` columns from (i, j).
+  /// Value of a pixel that covers n x n columns from (i, j).
   double OfPixel(int i, int j, int n) const;
 
  private:
@@ -37,14 +37,14 @@ class ColumnValues {
   GroundRaster raster_;
   double height_m_;
   EllipsoidDrop drop_;
-  std::vector<int> profile_of_tile_;  ///< -1 where it must be asked for column by column
+  std::vector<int> profile_of_tile_;  ///< -1 for a tile that needs its columns
 
   int TileOf(int i, int j) const {
     const TerrainGrid& grid = columns_.grid();
     return grid.tile_index(std::min(i / kCells, grid.tiles_x() - 1),
                            std::min(j / kCells, grid.tiles_y() - 1));
   }
-  /// Whether all columns from (i0, j0) to before (i1, j1) have one value.
+  /// True if all columns from (i0, j0) to before (i1, j1) have the same value.
   bool IsOneValue(int i0, int j0, int i1, int j1) const {
     const int tile = TileOf(i0, j0);
     return raster_ != GroundRaster::kHeight && profile_of_tile_[tile] >= 0 &&
@@ -120,7 +120,7 @@ Meaning MeaningOf(GroundRaster raster) {
   return {};
 }
 
-/// A raster on its way to a file.
+/// A raster that is written to a file.
 class Output {
  public:
   Output(const Columns& columns, GroundRaster raster, const SiteOrigin& origin, int n)
@@ -128,7 +128,7 @@ class Output {
     nx_ = (columns.nx() - 1) / n + 1;
     ny_ = (columns.ny() - 1) / n + 1;
   }
-  /// Writes and closes `file`; true if GDAL reports no error from the opening to the closing.
+  /// Writes and closes `file`. True if GDAL reports no error.
   bool Write(const std::filesystem::path& file) const;
 
  private:
@@ -157,7 +157,7 @@ bool Output::Write(const std::filesystem::path& file) const {
   if (!dataset) return false;
   const bool written = Describe(dataset.get()) && WritePixels(dataset->GetRasterBand(1)) &&
                        AddOverviews(dataset.get());
-  dataset.reset();  // writes the rest in memory
+  dataset.reset();  // closes the file, which may still report an error
   return written && CPLGetLastErrorType() < CE_Failure;
 }
 

@@ -13,9 +13,9 @@ namespace {
 constexpr int kPeriod_s = 10;
 constexpr TimeNs kPeriod_ns = kPeriod_s * kNsPerSecond;
 constexpr std::int64_t kPeriodsPerTake = 6;
-constexpr double kSeen_m = 0.002;  ///< depth to which light and rain make a surface look wet
+constexpr double kSeen_m = 0.002;  ///< depth of the layer that makes a surface look wet
 
-/// Moisture at which soil lets water through at a rate: full for soil that lets through less.
+/// Moisture at which a soil conducts water at a rate; 1 if it never does.
 double MoisturePassing(const SoilWater& water, double rate_mps) {
   constexpr int kHalvings = 40;
   double low = water.residual, high = 1;
@@ -65,7 +65,7 @@ bool GroundWeather::Advance(TimeNs since_start_ns) {
   return true;
 }
 
-/// Moisture of the surface as it is seen.
+/// Visible moisture of the surface.
 double GroundWeather::Seen(const Seepage& seepage) const {
   const WaterSlice& top = seepage.slices().front();
   const double net_mps = weather_.rain_mps() - weather_.evaporation_mps();

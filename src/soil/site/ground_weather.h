@@ -10,25 +10,26 @@
 
 namespace tera {
 
-/// The ground's water under steady rain and evaporation during a run. It is a function of time
-/// alone, since rain falls alike everywhere. Copies go on from the same state.
+/// Water in the ground under steady rain and evaporation during a run. It depends on time alone,
+/// because rain is uniform over the site. A copy continues from the same state.
 ///
-/// Model   Every ten seconds the water of each profile seeps on (Seepage); every minute the ground
-///         takes it over. The surface looks as wet as its slice, and as its upper 2 mm while they
-///         fill with rain, up to the moisture at which the rain passes through.
-/// Omits   water that runs or stands on the surface; frost. Ground of one soil at the surface looks
-///         as that of the first profile with it.
+/// Model   Every ten seconds the water of each profile seeps on (Seepage). Every minute the columns
+///         take it over. The visible surface has the moisture of the uppermost slice. Under rain,
+///         it has at least the moisture of the uppermost 2 mm. These fill up to the moisture at
+///         which the rain passes through.
+/// Omits   Water that runs or stands on the surface; frost. Profiles with the same soil at the
+///         surface look like the first of them.
 class GroundWeather {
  public:
-  /// Weather as in a spell, whose hours do not count. The surface `is_wet` from the start, if it
-  /// has rained already.
+  /// `weather` gives the rates; its hours are ignored. `is_wet` means that it has already rained on
+  /// the surface.
   GroundWeather(const WeatherSpell& weather, bool is_wet, const Columns& ground);
 
-  /// Goes on to a time since the start; true if that brings anything new.
+  /// Advances to a time since the start. True if the water has changed.
   bool Advance(TimeNs since_start_ns);
-  /// How the surface looks, by the soil that is shown.
+  /// Visible moisture of the surface, by visible soil.
   std::vector<TerrainSurface::Wetness> wetness() const;
-  /// The water that the ground takes over, once each.
+  /// Water to pass to the columns. Empty if the last call was less than a minute ago.
   std::optional<Columns::Water> TakeWater();
 
  private:
@@ -37,10 +38,11 @@ class GroundWeather {
   WeatherSpell weather_;
   bool is_wet_;
   SoilKinds kinds_;
-  std::vector<Seepage> seeping_;  ///< of each profile, then of soils that no profile shows
+  std::vector<Seepage> seeping_;  ///< one for each profile, then for soils at no profile's surface
   std::size_t profile_count_ = 0;
-  std::vector<std::size_t> seepage_of_;       ///< of each soil that is shown
-  std::vector<std::vector<double>> taken_m_;  ///< water in each profile's slices, as last taken
+  std::vector<std::size_t> seepage_of_;  ///< for each visible soil: index into seeping_
+  /// water in the slices of each profile at the last TakeWater
+  std::vector<std::vector<double>> taken_m_;
   std::int64_t periods_ = 0, taken_periods_ = 0;
 };
 

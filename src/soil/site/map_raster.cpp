@@ -16,10 +16,10 @@ namespace {
 
 struct Squares {
   SiteMap map;     ///< without values
-  int pixels = 1;  ///< of a square's side
+  int pixels = 1;  ///< pixels along the side of a square
 };
 
-/// Refuses a raster whose projection is not that of the site.
+/// Refuses a raster in another projection than that of the site.
 void RequireSitePlane(const std::filesystem::path& file, GDALDataset* raster,
                       const std::array<double, 6>& affine, const SiteOrigin& origin) {
   constexpr double kSame_m = 0.001;
@@ -89,7 +89,7 @@ SiteMap ReadSiteMap(const std::filesystem::path& file, const SiteOrigin& origin,
   GDALRasterIOExtraArg how;
   INIT_RASTERIO_EXTRA_ARG(how);
   how.eResampleAlg = band->GetRasterDataType() == GDT_Byte ? GRIORA_Mode : GRIORA_Average;
-  // The file's first row is the northernmost: the lines are laid down backwards.
+  // The first row of the file is the northernmost one, so the rows are stored backwards.
   const std::size_t last_row = static_cast<std::size_t>(map.ny - 1) * map.nx;
   const GSpacing line = -static_cast<GSpacing>(map.nx) * static_cast<GSpacing>(sizeof(float));
   if (band->RasterIO(GF_Read, 0, 0, map.nx * squares.pixels, map.ny * squares.pixels,

@@ -12,7 +12,7 @@ namespace {
 
 OGRSpatialReference Parse(const std::string& place, const std::string& definition) {
   OGRSpatialReference system;
-  // A name is never taken as a file's or a page's.
+  // The definition is never read as a file name or URL.
   if (definition.empty() ||
       system.SetFromUserInput(definition.c_str(),
                               OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
@@ -26,7 +26,7 @@ OGRSpatialReference Parse(const std::string& place, const std::string& definitio
   return system;
 }
 
-/// The datum of heights, which is then taken off.
+/// Removes the vertical system and returns its name.
 std::string TakeVertical(const std::string& place, OGRSpatialReference* system) {
   const char* name = system->GetAttrValue("VERT_CS");
   if (!name) return "";
@@ -72,10 +72,10 @@ std::optional<MapReference> ReadMapReference(const std::string& place,
 }
 
 void RequireOnMap(const std::string& place, const MapReference& map, const Vec2& at_m) {
-  constexpr double kMargin_deg = 6;  // a zone's plane goes on a little beyond it
+  constexpr double kMargin_deg = 6;  // the plane of a zone is usable a little beyond it
   if (!map.area_deg) return;
   const auto [west, south, east, north] = *map.area_deg;
-  if (west > east) return;  // over the line of dates
+  if (west > east) return;  // across the date line
   const QuietGdal quiet;
   double lon_deg = at_m.x(), lat_deg = at_m.y();
   OGRSpatialReference geographic;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFewestCorners = 3;
 constexpr double kLeastArea_m2 = 1e-4;
 
-/// The fault of an outline's corners, or nothing.
+/// Message for a faulty outline; empty if it is valid.
 std::string OutlineFault(const std::vector<Vec2>& p) {
   if (p.size() < kFewestCorners) {
     return fmt::format("{} corners found, need at least {}, each [x, y] in m", p.size(),
@@ -40,7 +40,7 @@ std::vector<Vec2> ReadOutline(const ConfigMap& item) {
 }
 
 bool Encloses(const std::vector<Vec2>& outline_W_m, const Vec2& p) {
-  bool inside = false;  // crossings of a ray towards +x
+  bool inside = false;  // parity of the crossings of a ray towards +x
   for (std::size_t k = 0, last = outline_W_m.size() - 1; k < outline_W_m.size(); last = k++) {
     const Vec2 &a = outline_W_m[k], &b = outline_W_m[last];
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;

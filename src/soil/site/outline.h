@@ -7,10 +7,10 @@
 
 namespace tera {
 
-/// Reads `outline_m`: corners in W of a polygon that does not cross itself. A faulty one is empty.
+/// Reads `outline_m`: the corners in W of a polygon that does not cross itself. Empty if faulty.
 std::vector<Vec2> ReadOutline(const ConfigMap& item);
 
-/// Whether a point lies within an outline.
+/// True if the point lies inside the outline.
 bool Encloses(const std::vector<Vec2>& outline_W_m, const Vec2& p_W_m);
 
 }  // namespace tera

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond_m = 1e5;  ///< strips reach this far across
+constexpr double kBeyond_m = 1e5;  ///< strips extend this far along their length
 
 Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
   if (soils.soils().empty()) return {std::numeric_limits<double>::infinity(), soil, 0, 0};
@@ -20,7 +20,7 @@ Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
           type.bank_density_kgpm3};
 }
 
-/// Bulk density of a layer, which its soil must be able to have.
+/// Reads the bulk density of a layer, which must be in the range of its soil.
 double ReadDensity(const ConfigMap& layer, const SoilCatalogue& soils, const Stratum& stratum) {
   const double density_kgpm3 =
       layer.Number("density_kgpm3", Between(500, 4000, "kg/m^3"), stratum.density_kgpm3);
@@ -37,7 +37,7 @@ double ReadDensity(const ConfigMap& layer, const SoilCatalogue& soils, const Str
   return density_kgpm3;
 }
 
-/// Layers by depth, from the surface down without gap or overlap, the last one without end.
+/// Reads layers from the surface down, without gap or overlap. The last layer has no lower end.
 GroundProfile ReadLayers(const ConfigMap& config, SoilCatalogue* soils) {
   std::vector<Stratum> strata;
   double bottom_m = 0;
@@ -77,7 +77,7 @@ GroundProfile ReadLayers(const ConfigMap& config, SoilCatalogue* soils) {
   return GroundProfile(strata);
 }
 
-/// `soil` or `layers`, whichever of the two is there.
+/// Reads `soil` or `layers`, which exclude each other.
 GroundProfile ReadProfile(const ConfigMap& config, SoilCatalogue* soils) {
   if (config.Has("layers")) {
     if (config.Has("soil"))
@@ -126,7 +126,7 @@ void ReadRegions(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* si
   }
 }
 
-/// The classes of a soil map, each with `soil` or `layers`.
+/// Reads the classes of a soil map, each with `soil` or `layers`.
 void ReadClasses(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
   for (const char* key : {"soil", "layers"}) {
     if (!config.Has(key)) continue;

@@ -9,15 +9,17 @@
 
 namespace tera {
 
-/// Soils below a site's surface, by place.
+/// Soil profiles of a site, by place.
 struct SiteProfiles {
-  std::vector<GroundProfile> profiles;  ///< the first one wherever no region lies, or a map's
-  std::vector<ProfileRegion> regions;   ///< later ones lie over earlier ones
-  std::map<std::uint8_t, std::uint8_t> profile_of_class;  ///< of `soil_classes`; empty without
+  /// the first one applies outside all regions, unless there is a class map
+  std::vector<GroundProfile> profiles;
+  std::vector<ProfileRegion> regions;  ///< later regions cover earlier ones
+  /// by class of `soil_classes`; empty without a class map
+  std::map<std::uint8_t, std::uint8_t> profile_of_class;
 };
 
-/// Reads `soil`, `layers` or the classes of `soil_classes`, and `soils`, `strips` and `regions` of
-/// a terrain mapping. Faults go to `config`.
+/// Reads `soil`, `layers`, `soil_classes`, `soils`, `strips` and `regions` of a terrain mapping.
+/// Faults go to `config`.
 SiteProfiles ReadProfiles(const ConfigMap& config, SoilCatalogue* soils);
 
 }  // namespace tera

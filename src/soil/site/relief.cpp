@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr int kOctaves = 3;
-constexpr double kGradientNoisePeak = 0.7;  ///< largest value of gradient noise, about sqrt(1/2)
+constexpr double kGradientNoisePeak = 0.7;  ///< greatest value of gradient noise, about sqrt(1/2)
 
 double Blend(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 

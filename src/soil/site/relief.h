@@ -8,13 +8,13 @@ namespace tera {
 
 /// Gently uneven ground.
 ///
-/// Frames  W; heights about zero at W's origin's level.
-/// Model   A plane of slope `slope_rad` that rises towards `slope_direction_rad` (from x towards y)
-///         plus gradient noise of three octaves, each of half the wavelength and half the height of
-///         the one before.
+/// Frames  W; heights are about zero at the origin of W.
+/// Model   A plane of slope `slope_rad` that rises towards `slope_direction_rad` (from x towards
+///         y), plus gradient noise of three octaves. Each octave has half the wavelength and half
+///         the height of the one before.
 /// Source  Perlin 2002, "Improving noise", for the lattice and its quintic blend.
 struct Relief {
-  double amplitude_m = 0;  ///< about the largest departure from the plane
+  double amplitude_m = 0;  ///< approximate greatest deviation from the plane
   double wavelength_m = 8;
   double slope_rad = 0;
   double slope_direction_rad = 0;

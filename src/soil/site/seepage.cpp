@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kSlice_m = 0.1, kDeepest_m = 2;
 constexpr double kLongestStep_s = 60, kCourant = 0.25;
-constexpr double kFieldSuction_m = 3.37;  ///< 33 kPa
-constexpr double kFreely = 0.75;          ///< of field capacity
-constexpr double kOneStratum = 0.03;      ///< slices of less difference in moisture
+constexpr double kFieldSuction_m = 3.37;  ///< suction at field capacity, 33 kPa
+constexpr double kFreely = 0.75;          ///< share of the field capacity
+constexpr double kOneStratum = 0.03;  ///< slices with a smaller difference in moisture are merged
 
 std::vector<WaterSlice> SlicesOf(const GroundProfile& profile, const std::vector<SoilType>& soils) {
   std::vector<WaterSlice> slices;
@@ -33,7 +33,7 @@ std::vector<WaterSlice> SlicesOf(const GroundProfile& profile, const std::vector
   return slices;
 }
 
-/// The water that can leave a slice.
+/// Water that can leave a slice.
 double Mobile_m(const WaterSlice& slice) {
   return std::max(0.0, slice.water_m - slice.water.residual * slice.capacity_m);
 }

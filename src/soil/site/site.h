@@ -13,35 +13,34 @@
 
 namespace tera {
 
-/// A site before anything has moved on it, by the scenario's `terrain:` mapping. It is constant, so
-/// that any number of runs may start on it, also at the same time. Each run works a Soil of its own
-/// (MakeSoil).
+/// A site before any change, from the scenario's `terrain:` mapping. It is constant, so that any
+/// number of runs can start on it, also in parallel. Each run changes its own Soil (MakeSoil).
 ///
 /// Frames  W.
 class Site {
  public:
-  /// Reads the mapping: size, cell, soils, relief or GeoTIFF, strips, piles, pits. Faults go to
-  /// `config`. `seed` feeds the relief's streams. `given` stands in the place of a GeoTIFF.
+  /// Reads size, cell, soils, relief or GeoTIFF, strips, piles and pits. Faults go to `config`.
+  /// `seed` drives the relief. `given` replaces a GeoTIFF.
   static Site Read(const ConfigMap& config, std::uint64_t seed,
                    const std::optional<GivenGround>& given = std::nullopt);
 
-  /// Raises undisturbed ground, before machines are placed on it.
+  /// Raises undisturbed ground. Call it before machines are placed.
   void Raise(const RaisedGround& raised) { columns_.Raise(raised); }
 
-  /// Lets rain and evaporation act during runs, at the rates of `weather`; the surface `is_wet`
-  /// from the start if it has rained already. Returns false if that needs more kinds of soil than
-  /// there may be. Call when the ground is as runs start on it.
+  /// Enables rain and evaporation during runs, at the rates of `weather`. `is_wet` means that it
+  /// has already rained on the surface. False if this needs more soil kinds than possible. Call it
+  /// when the ground is complete.
   bool LetWeatherAct(const WeatherSpell& weather, bool is_wet);
-  /// Whether the scenario gives the weather until the start.
+  /// True if the scenario gives weather before the start.
   bool has_weather_before() const { return has_weather_before_; }
-  /// At the start of a run; nothing where no weather acts.
+  /// State at the start of a run; empty without weather.
   const std::optional<GroundWeather>& weather() const { return weather_; }
 
   const Columns& columns() const { return columns_; }
   const TerrainSurface& surface() const { return columns_.surface(); }
-  /// The soils that are shown, as an index of Cover::soil.
+  /// The visible soils, as Cover::soil indexes them.
   const std::vector<SoilType>& soils() const { return soils_; }
-  /// Place of W's origin, where a GeoTIFF says it.
+  /// Geodetic position of the origin of W, if a GeoTIFF gives it.
   const std::optional<SiteOrigin>& georeference() const { return georeference_; }
 
  private:

@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kDefaultSize_m = 40, kDefaultCell_m = 0.05;
 constexpr double kMostColumns = 4e8;
-constexpr double kRoughestBase_m = 0.5;  ///< spacing of undisturbed heights that vary
+/// greatest spacing of undisturbed heights on uneven ground
+constexpr double kRoughestBase_m = 0.5;
 constexpr double kMostBaseVertices = 2.6e7;
 constexpr double kBasePerWavelength = 16;  ///< four for the shortest octave
 
@@ -61,7 +62,7 @@ std::vector<PilePlan> ReadPiles(const ConfigMap& config, const TerrainGrid& grid
   return piles;
 }
 
-/// The elevation file's grid; one that cannot be used is a fault at its key.
+/// Reads the elevation file. An unusable file is a fault of its key.
 std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
   const auto file = config.OptionalFile("geotiff");
   if (!file || file->empty()) return std::nullopt;
@@ -75,7 +76,7 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
   }
 }
 
-/// The given heights as an elevation file's would be.
+/// Converts given heights to the form of an elevation file.
 ElevationGrid GridOf(const GivenGround& given) {
   ElevationGrid grid;
   grid.nx = given.nx;
@@ -85,8 +86,8 @@ ElevationGrid GridOf(const GivenGround& given) {
   return grid;
 }
 
-/// Largest number of squares, a divisor of a tile's, that is not longer than `spacing_m`, but
-/// longer where there would be too many vertices.
+/// Largest divisor of the tile size, in cells, with a spacing of at most `spacing_m`. It is larger
+/// if there would be too many vertices.
 int BaseCells(double spacing_m, const TerrainGrid& grid) {
   int best = 1;
   for (int n = 1; n <= TerrainGrid::kTileCells; ++n) {
@@ -99,7 +100,7 @@ int BaseCells(double spacing_m, const TerrainGrid& grid) {
   return best;
 }
 
-/// The soil map's grid about `origin`, if one is known already.
+/// Reads the soil map onto a grid about `origin`, or about the middle of the file without one.
 std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
                                            const std::optional<SiteOrigin>& origin) {
   const auto map = config.OptionalMap("soil_classes");
@@ -116,10 +117,10 @@ std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
   }
 }
 
-/// A soil map must have a class for every place of the site. Only corners that a grid's turn by the
-/// meridian convergence leaves out may lack one.
+/// Requires that the soil map covers the site. The tolerance allows for corners that rotation by
+/// the meridian convergence leaves out.
 void RequireCover(const ConfigMap& config, const SoilClassGrid& classes, const TerrainGrid& grid) {
-  constexpr double kSpare = 0.05;  // of the map's size: three degrees
+  constexpr double kSpare = 0.05;  // share of the size of the map: three degrees
   const Vec2 size_m = classes.cell_m.cwiseProduct(Vec2(classes.nx, classes.ny));
   const Vec2 low_m = classes.first_m - 0.5 * classes.cell_m, high_m = low_m + size_m;
   const Vec2 site_high_m(grid.x_m(grid.nx - 1), grid.y_m(grid.ny - 1));
@@ -135,7 +136,7 @@ void RequireCover(const ConfigMap& config, const SoilClassGrid& classes, const T
                          site_high_m.x(), grid.origin_W_m.y(), site_high_m.y()));
 }
 
-/// Profiles by a soil map; a value that is not among the scenario's classes is a fault.
+/// Profiles from a soil map. A value that is not among the scenario's classes is a fault.
 ProfileMap MapOf(const ConfigMap& config, const SoilClassGrid& classes,
                  const std::map<std::uint8_t, std::uint8_t>& profile_of_class) {
   ProfileMap map{classes.nx, classes.ny, classes.first_m, classes.cell_m, {}};
@@ -178,7 +179,7 @@ TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>
   return grid;
 }
 
-/// The point of the segment from a pile's one end to the other that is nearest to `p_m`.
+/// The point on the crest of a pile that is nearest to `p_m`.
 Vec2 NearestOfCrest(const PilePlan& pile, const Vec2& p_m) {
   const Vec2 along_m = pile.end_W_m - pile.xy_W_m;
   const double squared = along_m.squaredNorm();
@@ -186,7 +187,7 @@ Vec2 NearestOfCrest(const PilePlan& pile, const Vec2& p_m) {
   return pile.xy_W_m + std::clamp((p_m - pile.xy_W_m).dot(along_m) / squared, 0.0, 1.0) * along_m;
 }
 
-/// Puts a pile in place: its crest `height_m` above the ground below, its sides at repose.
+/// Adds a pile: its crest is `height_m` above the ground, its sides are at repose.
 void Heap(const PilePlan& pile, Columns* columns) {
   const SoilType& soil = columns->soils()[pile.soil];
   const double slope = std::tan(soil.repose_angle_rad);
@@ -195,7 +196,7 @@ void Heap(const PilePlan& pile, Columns* columns) {
   };
   const bool is_cone = pile.xy_W_m == pile.end_W_m;
   const double top_m = crest_m(pile.xy_W_m);
-  // The foot may lie lower than the ground under the top: look as far again.
+  // The foot may lie lower than the ground under the top, hence twice the distance.
   const double reach_m = 2 * pile.height_m / slope;
   const Vec2 low_m = pile.xy_W_m.cwiseMin(pile.end_W_m),
              high_m = pile.xy_W_m.cwiseMax(pile.end_W_m);
@@ -207,7 +208,8 @@ void Heap(const PilePlan& pile, Columns* columns) {
     int i, j;
     double thickness_m;
   };
-  std::vector<Rise> rises;  // found before the first is there: a crest lies on the ground below it
+  // all thicknesses are computed before any deposit, because the crest refers to the ground below
+  std::vector<Rise> rises;
   for (int j = j0; j <= j1; ++j) {
     for (int i = i0; i <= i1; ++i) {
       const Vec2 p_m(columns->x_m(i), columns->y_m(j));
@@ -226,7 +228,7 @@ void Heap(const PilePlan& pile, Columns* columns) {
   }
 }
 
-/// Wets the ground, and piles as the ground of their soil.
+/// Applies weather to the ground. A pile gets the moisture of a deep layer of its soil.
 void LetItRain(const ConfigMap& config, const std::vector<WeatherSpell>& weather, SitePlan* plan) {
   constexpr double kBottom_m = std::numeric_limits<double>::infinity();
   std::vector<GroundProfile> profiles = plan->ground.profiles;
@@ -282,7 +284,8 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
   }
 
   const Relief relief = ReadRelief(config, seed);
-  double spacing_m = TerrainGrid::kTileCells * ground.grid.cell_m;  // planes need no more
+  // planes need no smaller spacing
+  double spacing_m = TerrainGrid::kTileCells * ground.grid.cell_m;
   if (relief.amplitude_m > 0) {
     spacing_m = std::min({spacing_m, kRoughestBase_m, relief.wavelength_m / kBasePerWavelength});
   }
@@ -304,7 +307,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
 }
 
 Columns BuildColumns(const SitePlan& plan) {
-  // A scenario with faults has no soil; it is never run.
+  // A faulty scenario has no soil; it never runs.
   Columns columns(plan.ground, plan.kinds.soils().empty() ? SoilKinds({SoilType()}) : plan.kinds);
   for (const RutPlan& ruts : plan.ruts) Press(ruts, &columns);
   for (const PitPlan& pit : plan.pits) Dig(pit, &columns);

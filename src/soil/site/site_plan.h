@@ -12,14 +12,14 @@
 
 namespace tera {
 
-/// A cone of loose soil, or with another end a berm: a ridge from one to the other.
+/// A cone of loose soil, or a berm: a ridge from one end to the other.
 struct PilePlan {
-  Vec2 xy_W_m = Vec2::Zero(), end_W_m = Vec2::Zero();  ///< of a cone the same
+  Vec2 xy_W_m = Vec2::Zero(), end_W_m = Vec2::Zero();  ///< both ends of the crest; equal for a cone
   double height_m = 0;
   std::uint8_t soil = 0;
 };
 
-/// The ground at the start, by the scenario's `terrain:` mapping.
+/// The ground at the start, from the scenario's `terrain:` mapping.
 struct SitePlan {
   UndisturbedGround ground;
   SoilKinds kinds;
@@ -31,13 +31,12 @@ struct SitePlan {
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles pits ruts weather_before`. Faults go to `config`; a GeoTIFF that cannot be used is one of
-/// them, and one beside `given`, which is the ground in its place.
+/// piles pits ruts weather_before`. Faults go to `config`. An unusable GeoTIFF is a fault, and so
+/// is one together with `given`, which replaces it.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
                   const std::optional<GivenGround>& given = std::nullopt);
 
-/// The columns of a site, its ruts pressed, its pits dug and its piles in place at their angle of
-/// repose.
+/// Builds the columns of a site with ruts, pits and piles. Piles stand at their angle of repose.
 Columns BuildColumns(const SitePlan& plan);
 
 }  // namespace tera

@@ -11,14 +11,14 @@
 
 namespace tera {
 
-/// The soils that a site names, each once.
+/// The soils that a site names, each listed once.
 class SoilCatalogue {
  public:
   /// Starts with the soils of `custom_soils`.
   explicit SoilCatalogue(const ConfigMap& config);
 
-  /// Index of the soil of that name; a shipped soil is loaded when it is first named. An unknown
-  /// name is a fault of `key` in `at`.
+  /// Index of the soil `name`. Loads a shipped soil at its first use. An unknown name is a fault of
+  /// `key` in `at`.
   std::uint8_t Index(const ConfigMap& at, std::string_view key, const std::string& name);
 
   const std::vector<SoilType>& soils() const { return soils_; }

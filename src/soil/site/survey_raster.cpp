@@ -38,7 +38,7 @@ SurveyRaster ReadSurveyRaster(const std::filesystem::path& file) {
   OGRSpatialReference plane = frame.projection;
   const char* vertical = plane.GetAttrValue("VERT_CS");
   const std::string counted_from = vertical ? vertical : "";
-  plane.StripVertical();  // whose unit is applied already
+  plane.StripVertical();  // its unit is already applied
   const auto map = ReadMapReference(file.string(), WktOf(plane));
   if (!map)
     Refuse(file, {FaultKind::kUnsupported,

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file says that it is little-endian");
 
-/// One list of numbers in the file: its name, VTK's type, and its bytes.
+/// A list of numbers in the file: name, VTK type and bytes.
 struct Field {
   std::string name, type, bytes;
 };
@@ -42,7 +42,7 @@ std::vector<Field> FieldsOf(const SoilVoxels& voxels) {
           {"soil", "UInt8", BytesOf(voxels.soil)}};
 }
 
-/// Names of the soils by number, as VTK writes texts: character codes, each text ended by a zero.
+/// Names of the soils as VTK stores texts: character codes, each text terminated by zero.
 std::string NamesOf(const std::vector<SoilType>& soils) {
   std::string codes;
   for (const SoilType& soil : soils) {

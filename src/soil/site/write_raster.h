@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// One band of squares to be written, row by row from the south; floats or bytes.
+/// One band of squares for output, row by row from the south; floats or bytes.
 template <typename T>
 struct SquareRaster {
   Vec2 low_m = Vec2::Zero();  ///< south-western corner of the first square, in the projection
@@ -23,7 +23,7 @@ struct SquareRaster {
   std::optional<double> no_data;
 };
 
-/// Writes it as GeoTIFF, deflated. False where it could not be; GDAL's last message says why.
+/// Writes a deflated GeoTIFF. False on failure; GDAL's last message then gives the reason.
 template <typename T>
 bool WriteSquares(const std::filesystem::path& file, const SquareRaster<T>& raster,
                   const OGRSpatialReference& projection) {
@@ -54,7 +54,7 @@ bool WriteSquares(const std::filesystem::path& file, const SquareRaster<T>& rast
     written = band->RasterIO(GF_Write, 0, j, raster.nx, 1, row.data(), raster.nx, 1, kType, 0, 0) ==
               CE_None;
   }
-  dataset.reset();  // writes the rest in memory
+  dataset.reset();  // closes the file, which may still report an error
   return written && CPLGetLastErrorType() < CE_Failure;
 }
 

@@ -11,20 +11,21 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastFriction = 1e-6;  ///< tangent; a spiral of less is a circle
+/// tangent; with less friction the spiral would become a circle
+constexpr double kLeastFriction = 1e-6;
 constexpr double kLeastTurn_rad = 1e-3;
 constexpr double kTurnStep_rad = 15 * kDeg, kWidestTurn_rad = 120.5 * kDeg;
-// Exits of the spirals of least force. They leave level ground steeper than Rankine's slip plane by
-// this share of their turn, and rising ground by this share of its slope in addition.
+// Exit angle of the spiral of least force. On level ground it exceeds that of Rankine's slip plane
+// by a share of the turn; on a slope, a share of the slope is added.
 constexpr double kExitPerTurn = 1.0 / 3, kExitPerSlope = 0.6;
-constexpr double kAround_rad = 25 * kDeg;  ///< they are looked for in this range about that exit
+constexpr double kAround_rad = 25 * kDeg;  ///< search range around that exit angle
 
 double CrossOf(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// First moment, about the upright through the pole, of the triangle between it and two points.
+/// First moment, about the vertical through the pole, of the triangle of the pole and two points.
 double Moment_m3(const Vec2& a, const Vec2& b) { return CrossOf(a, b) / 6 * (a.x() + b.x()); }
 
-/// The equation of moments for one blade in one soil, ready for many spirals.
+/// The moment equation of one blade in one soil, prepared for many spirals.
 class Spirals {
  public:
   explicit Spirals(const CuttingInput& in)
@@ -39,8 +40,8 @@ class Spirals {
         blade_m_(in.depth_m / (up_blade_.y() - up_blade_.x() * tan_slope_)) {}
 
   double ForceAt_n(double exit_rad, double turn_rad) const {
-    // The spiral's radius stands on the slip surface, leant back by the friction. All points are
-    // seen from the pole, all moments about it, for each metre of width.
+    // The radius is perpendicular to the slip surface, tilted back by the friction angle. Points
+    // are relative to the pole; moments are per metre of width.
     const double from_rad = exit_rad - turn_rad + in_.friction_rad - kPi / 2;
     const Vec2 from(std::cos(from_rad), std::sin(from_rad));
     const Vec2 to(std::cos(from_rad + turn_rad), std::sin(from_rad + turn_rad));
@@ -68,20 +69,21 @@ class Spirals {
   }
 
  private:
-  /// First moment of the area between the spiral and the pole: of r^3 cos / 3 over the angle.
+  /// First moment of the area between spiral and pole: the integral of r^3 cos / 3 over the angle.
   double SectorMoment_m3(const Vec2& edge, const Vec2& end) const {
     const double t = 3 * tan_friction_;
     const auto integral = [&](const Vec2& p) { return p.squaredNorm() * (t * p.x() + p.y()); };
     return (integral(end) - integral(edge)) / (3 * (t * t + 1));
   }
 
-  /// Shear on both sides of the soil ahead of the edge, about at the middle of its chord's
-  /// triangle, along the way that soil goes there.
+  /// Moment of the shear on both flanks of the soil ahead. It acts near the centre of the triangle
+  /// over the chord, along the motion of the soil there.
   double FlanksMoment_n(const Vec2& edge, const Vec2& end, double sector_m2) const {
     const Vec2 above = edge + in_.depth_m * Vec2::UnitY();
     const double side_m2 =
         std::max(0.0, sector_m2 + 0.5 * (CrossOf(end, above) + CrossOf(above, edge)));
-    const double at_rest = 1 - std::sin(in_.friction_rad);  // Jaky
+    // coefficient of earth pressure at rest (Jaky)
+    const double at_rest = 1 - std::sin(in_.friction_rad);
     const double normal_pa = at_rest * (weight_npm3_ * in_.depth_m / 3 + in_.overburden_pa);
     const double shear_n = side_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
                            in_.flank_above_npm * std::max(0.0, end.x() - edge.x());
@@ -89,7 +91,7 @@ class Spirals {
     return 2 * in_.flank_share * shear_n * arm_m / in_.width_m;
   }
 
-  /// Soil that comes to the surface is set moving along its chord.
+  /// Moment of the inertia of soil that is accelerated along the chord.
   double InertiaMoment_n(const Vec2& chord, const Vec2& edge, const Vec2& end,
                          double sector_m2) const {
     const double speed2 = in_.speed_mps * in_.speed_mps;
@@ -102,7 +104,7 @@ class Spirals {
   const CuttingInput& in_;
   double weight_npm3_, tan_friction_, sin_friction_, tan_slope_;
   Vec2 up_blade_, push_;  ///< unit vectors: from the edge up the blade, and along P
-  double blade_m_;        ///< in the ground
+  double blade_m_;        ///< length of the blade in the ground
 };
 
 }  // namespace
@@ -117,7 +119,7 @@ double CurvedSlipForce_n(const CuttingInput& in) {
   const auto force_n = [&](double steeper_rad, double turn_rad) {
     return spirals.ForceAt_n(rankine_rad + steeper_rad + kExitPerTurn * turn_rad, turn_rad);
   };
-  // In steps first: spirals that turn too little or too much hold nothing up.
+  // A coarse search first: too little or too much turn gives no equilibrium.
   double turn_rad = kLeastTurn_rad, least_n = force_n(0, turn_rad);
   for (double turn = kTurnStep_rad; turn <= kWidestTurn_rad; turn += kTurnStep_rad) {
     const double at_turn_n = force_n(0, turn);

@@ -6,9 +6,9 @@
 namespace tera {
 namespace {
 
-constexpr double kThinnest_m = 1e-6;  ///< thinner soil says nothing
+constexpr double kThinnest_m = 1e-6;  ///< thinner layers are skipped
 
-/// Sums over the soil passed on the way down, by thickness.
+/// Sums over the soil from the surface down, weighted by thickness.
 struct Passed {
   double thickness_m = 0, kgpm2 = 0;
   double friction_m = 0, tool_friction_m = 0, cohesion_pam = 0, adhesion_pam = 0;
@@ -31,7 +31,7 @@ struct Passed {
   }
 };
 
-/// Collects layers of one strength, and the mean of all.
+/// Collects layers of equal strength, and the mean of all.
 class Collector {
  public:
   explicit Collector(const std::vector<SoilType>& soils) : soils_(soils) {}
@@ -53,7 +53,7 @@ class Collector {
   }
 
  private:
-  /// As the soil added last.
+  /// True if the soil is as strong as the one added last.
   bool IsAsStrong(std::uint8_t soil, bool is_loose) const {
     const SoilType &a = soils_[cut_.at_edge], &b = soils_[soil];
     return (cut_.edge_in_loose ? 0 : a.cohesion_pa) == (is_loose ? 0 : b.cohesion_pa) &&

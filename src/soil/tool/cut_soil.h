@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A part of the depth that an edge cuts, of one strength.
+/// A layer of the cut with uniform strength.
 struct CutLayer {
   double thickness_m = 0;
   double density_kgpm3 = 0;
@@ -20,19 +20,19 @@ struct CutLayer {
   bool is_loose = false;
 };
 
-/// Soil that an edge at some depth cuts through. It holds means over the layers and strata above
-/// the edge, weighted by thickness, those layers themselves, and the soil at the edge.
+/// Soil above a cutting edge at some depth: means over the depth, weighted by thickness, the single
+/// layers, and the soil at the edge.
 ///
-/// Model   Loose soil has lost its cohesion; friction is the mean of its tangent. Neighbours of one
-///         strength are one layer. There are at most kMostLayers; the lowest holds the mean of all
-///         soil below the others.
+/// Model   Loose soil has no cohesion. Friction is averaged as its tangent. Adjacent soils of equal
+///         strength form one layer. There are at most kMostLayers; the last one is the mean of all
+///         deeper soil.
 struct CutSoil {
   static constexpr int kMostLayers = 6;
 
   CutLayer mean;
   std::array<CutLayer, kMostLayers> layer;  ///< from the surface down
   int layer_count = 0;
-  std::uint8_t at_edge = 0;  ///< soil that the edge meets
+  std::uint8_t at_edge = 0;  ///< soil at the edge
   bool edge_in_loose = false;
 
   std::span<const CutLayer> layers() const {
@@ -40,7 +40,8 @@ struct CutSoil {
   }
 };
 
-/// The soil of a column above z_m, with the properties `soils`. At least that of the surface.
+/// Soil of a column above z_m, with the properties `soils`. Contains at least the soil at the
+/// surface.
 CutSoil SoilAbove(ColumnId k, double z_m, const Columns& ground,
                   const std::vector<SoilType>& soils);
 

@@ -12,14 +12,15 @@ namespace tera {
 namespace {
 
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kNearAhead_m = 0.075;      ///< where the depth is measured
-constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
-constexpr double kLeastLevel = 1e-6;        ///< no direction below it
-constexpr double kDeadLoad = 0.8;           ///< of the capacity: from here soil separates along it
-constexpr double kSlowestEdge_mps = 1e-4;   ///< slower edges keep their elastic travel
+constexpr double kNearAhead_m = 0.075;      ///< distance ahead at which the depth is measured
+/// below this horizontal part, the mouth faces up or down
+constexpr double kLeastLevelMouth = 0.1;
+constexpr double kLeastLevel = 1e-6;       ///< least length of a horizontal direction
+constexpr double kDeadLoad = 0.8;          ///< fill from which soil separates along the load
+constexpr double kSlowestEdge_mps = 1e-4;  ///< slower edges keep their elastic travel
 
-/// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
-/// mouth first. Nothing where that plane lies level.
+/// Horizontal unit vector in which the edge cuts: along the mouth's normal, or along the floor if
+/// the mouth faces up or down. Empty if neither has a horizontal part.
 std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   const auto level = [](const Vec3& v) { return Vec3(v - v.z() * Vec3::UnitZ()); };
   Vec3 travel_W = level(R_WB * shape.mouth_normal_B());
@@ -28,7 +29,7 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   return travel_W.normalized();
 }
 
-/// The friction of a plane with a share of soil instead of steel.
+/// Replaces a share of the steel friction by soil friction.
 void RubOnSoil(double share, CutLayer* layer) {
   layer->tool_friction_rad += share * (layer->friction_rad - layer->tool_friction_rad);
 }
@@ -47,10 +48,10 @@ struct CuttingEdge::Strip {
 /// The surface along which soil separates, and the load on it.
 struct CuttingEdge::Plane {
   Vec3 up_W;                    ///< from the edge up the plane
-  double on_soil = 0;           ///< share of it that is carried soil, not steel
-  double surcharge_npm = 0;     ///< carried weight for each metre of width
-  double surcharge_over_m = 1;  ///< length that this weight covers at least
-  double length_m = 0;          ///< from the edge to where soil rides over it
+  double on_soil = 0;           ///< share of the plane that is carried soil instead of steel
+  double surcharge_npm = 0;     ///< carried weight per metre of width
+  double surcharge_over_m = 1;  ///< least length over which this weight is spread
+  double length_m = 0;          ///< length from the edge to the end of the plane
 };
 
 CuttingEdge::CuttingEdge(const Shovel& shovel, const std::vector<SoilType>& soils)
@@ -60,7 +61,7 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     const ShovelShape& shape, const BodyState& body, const Vec3& travel_W,
     const std::vector<SoilType>& soils, Columns* ground) const {
   std::array<Strip, kStrips> strips;
-  // Under a top edge that hangs over, the ground stands as far as the shovel leaves it.
+  // An overhanging top edge clears the ground below it, so the depth is measured beyond it.
   const Vec3 mouth_W = body.X_WB.linear() * (shape.top_edge_B() - shape.edge_B());
   const double near_m =
       std::max(0.0, mouth_W.dot(travel_W)) + ContactProbeDistance_m(kNearAhead_m, ground->cell_m());
@@ -88,14 +89,14 @@ CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R
   plane.on_soil = std::clamp((fill - kDeadLoad) / (1 - kDeadLoad), 0.0, 1.0);
   const Vec3 mouth_W = R_WB * (shape.top_edge_B() - shape.edge_B()).normalized();
   plane.up_W = ((1 - plane.on_soil) * floor_W + plane.on_soil * mouth_W).normalized();
-  // Soil behind the plane moves with it.
+  // Carried soil behind the plane moves with it and adds no surcharge.
   plane.surcharge_npm =
       (1 - plane.on_soil) * carried.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
   plane.surcharge_over_m = shape.radius_m();
   return plane;
 }
 
-/// Force of the ground that a strip cuts, when it has failed.
+/// Force of failed ground on a strip.
 CuttingForce CuttingEdge::CutBy(const Strip& strip, const Vec3& travel_W, const Plane& plane,
                                 double speed_mps) const {
   CuttingInput in;
@@ -114,9 +115,9 @@ CuttingForce CuttingEdge::CutBy(const Strip& strip, const Vec3& travel_W, const 
   return CutLayersAhead(in, strip.ahead, soil, ahead);
 }
 
-/// Resistance of a strip's ground to being pierced along the floor.
+/// Resistance of the ground of a strip to piercing along the floor.
 double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) const {
-  // The profile ends at the tips of the teeth, where there are any; the edge stands behind them.
+  // The profile ends at the tips of the teeth, if there are any; the edge lies behind them.
   const double edge_area_m2 = shovel_.width_m * shovel_.edge_thickness_m;
   const double tooth_area_m2 = shovel_.teeth * shovel_.tooth_width_m * shovel_.tooth_thickness_m;
   const double edge_behind_m =
@@ -126,7 +127,7 @@ double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) cons
          kStrips;
 }
 
-/// Friction of the carried soil on floor and side walls, when it is pushed up the floor.
+/// Friction on floor and side walls of the carried soil that is pushed up the floor.
 double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, const Carried& carried,
                                  const SoilType& soil) const {
   if (carried.mass_kg <= 0) return 0;
@@ -137,7 +138,8 @@ double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, con
       carried.mass_kg * kStandardGravity_mps2 * std::max(0.0, inward_W.normalized().z());
   const double length_m = (shape.top_edge_B() - shape.edge_B()).norm();
   const double depth_m = carried.volume_m3 / (shovel_.width_m * length_m);
-  const double at_rest = 1 - std::sin(soil.friction_angle_rad);  // Jaky
+  // coefficient of earth pressure at rest (Jaky)
+  const double at_rest = 1 - std::sin(soil.friction_angle_rad);
   return std::tan(soil.soil_tool_friction_rad) * normal_n *
          (1 + at_rest * depth_m / shovel_.width_m);
 }
@@ -171,7 +173,7 @@ Wrench CuttingEdge::Act(const ShovelShape& shape, const BodyState& body, const C
     lifted_W_m_ += cut.wedge_length_m / kStrips * travel_W->head<2>();
     const double pierce_n = PiercingForceOn_n(strip, -cut_dir_W.z()) + drag_n / kStrips;
     Vec3 force_W_n = cut_share * cut_W_n - pierce_share * pierce_n * cut_dir_W;
-    // The ground never drives the edge on.
+    // The ground never accelerates the edge along its motion.
     const double power_w = force_W_n.dot(v_strip_W), v2 = v_strip_W.squaredNorm();
     if (power_w > 0 && v2 > kSlowestEdge_mps * kSlowestEdge_mps) {
       force_W_n -= power_w / v2 * v_strip_W;

@@ -13,39 +13,41 @@
 
 namespace tera {
 
-/// Resistance of the ground against a shovel's cutting edge and teeth.
+/// Resistance of the ground to the cutting edge and the teeth of a shovel.
 ///
 /// Frames  W; B frame of the shovel's link.
-/// Model   Each of several strips of the edge needs the least force along slip surfaces through the
-///         ground ahead (CutAhead). A strip has its own depth and speed, the carried soil's
-///         surcharge, and its share of the flanks' shear. Layers weaker than their mean reduce the
-///         force by the same share as on level ground (CutLayers). Edge and teeth pierce the soil
-///         that they meet (Piercing); the teeth run ahead of the edge by their length.
-///         Once the carried soil fills 0.8 of the struck capacity, the soil separates along it
-///         instead of the floor. The cutting plane then turns towards the mouth until the bucket is
-///         full, soil rubs on soil, and the carried soil weighs less on the wedge. Incoming soil
-///         pushes the carried soil up the floor, against friction there and on the side walls
-///         (at-rest pressure). Forces build up over a few millimetres of travel (soil is elastic
-///         before it fails), so that they hold at rest. They never drive a strip on.
-/// Omits   side cutters, slopes across the travel.
-/// Source  see earthmoving.h; secondary separation as in Algoryx's terrain material.
+/// Model   The edge is divided into strips with their own depth and speed. The force on a strip is
+///         the least over slip surfaces through the ground ahead (CutAhead). It includes the
+///         surcharge of carried soil and a share of the shear on the flanks. Layers of unequal
+///         strength reduce it by the same ratio as on level ground (CutLayers). Edge and teeth also
+///         pierce the soil (Piercing); the teeth reach ahead by their length.
+///         From 0.8 of the struck capacity on, soil separates along the carried soil instead of the
+///         floor. Until the bucket is full, the cutting plane turns from the floor to the mouth.
+///         Soil friction then replaces steel friction, and less of the carried weight rests on the
+///         wedge. Incoming soil pushes the carried soil up the floor, against friction on the floor
+///         and on the side walls (at-rest pressure). Forces build up over a few millimetres of
+///         elastic travel, so that they persist at rest. They never accelerate a strip along its
+///         motion.
+/// Omits   Side cutters, slopes across the travel.
+/// Source  earthmoving.h; secondary separation as in the terrain material of Algoryx.
 class CuttingEdge {
  public:
-  /// `soils` are those of the ground, as the machine meets them.
+  /// `soils` are the soils of the ground, scaled by the footing of the machine.
   CuttingEdge(const Shovel& shovel, const std::vector<SoilType>& soils);
 
   struct Carried {
     double mass_kg = 0, volume_m3 = 0;
     std::uint8_t soil = 0;
   };
-  /// About the link's origin, over the next `dt_s`.
+  /// Advances by `dt_s` and returns the wrench about the link's origin.
   Wrench Act(const ShovelShape& shape, const BodyState& body, const Carried& carried, double dt_s,
              const std::vector<SoilType>& soils, Columns* ground);
-  /// How far ahead the last Act has moved the ground, mean of the strips; level, in W.
+  /// Horizontal length of ground that the last Act moved ahead of the edge, as a vector in W. Mean
+  /// of the strips.
   const Vec2& lifted_W_m() const { return lifted_W_m_; }
 
  private:
-  static constexpr int kStrips = 5;  ///< of the edge, each with its own depth and slope
+  static constexpr int kStrips = 5;  ///< strips of the edge, each with its own depth and slope
   struct Strip;
   struct Plane;
   std::array<Strip, kStrips> Strips(const ShovelShape& shape, const BodyState& body,

@@ -13,26 +13,27 @@
 namespace tera {
 namespace {
 
-// Shell on the ground.
-constexpr double kElasticDepth_m = 0.01;    ///< indentation at which the shell's bearing is reached
-constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for the bearing pressure
-constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
-constexpr double kFaceDownward = 0.7;       ///< the same of the face of a blade
-constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
-constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
-constexpr double kBeside_m = 0.1;           ///< where the ground beside the shovel is looked at
-constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
-// Carried soil.
+// Constants of the shell on the ground.
+constexpr double kElasticDepth_m = 0.01;  ///< indentation at which the bearing pressure is reached
+constexpr double kShellWidth_m = 0.10;    ///< width of the loaded strip for the bearing pressure
+constexpr double kLeastDownward = 0.35;  ///< a shell that faces down less than this carries nothing
+constexpr double kFaceDownward = 0.7;    ///< the same for the face of a blade
+/// share of critical damping, for the mass that the pressure supports
+constexpr double kShellDampingRatio = 0.2;
+constexpr double kSlideSpeed_mps = 0.10;  ///< shell friction is proportional to speed below it
+constexpr double kBeside_m = 0.1;  ///< distance at which the ground beside the shovel is sampled
+constexpr double kNear_m = 0.3;    ///< a shovel within this height above the ground blocks flow
+// Constants of the carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which excess soil leaves
-constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
-constexpr double kBeforeLip_m = 0.1;    ///< where the ground before the mouth is looked at
-constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
-constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
-constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
-constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
-constexpr double kLeastSine = 1e-4;  ///< of an angle that has a direction
+constexpr double kStuckClod_m = 0.025;  ///< thickest layer that sticks to the shell (an estimate)
+constexpr double kBeforeLip_m = 0.1;  ///< distance at which the ground before the mouth is sampled
+constexpr double kShut_m = 0.05;      ///< ground this far above the lip shuts the mouth
+constexpr double kMouthDown = -0.7;   ///< z component below which a mouth faces down
+constexpr double kGravityTime_s = 0.2;  ///< time constant of the smoothing of apparent gravity
+constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< greater values are impacts
+constexpr double kLeastSine = 1e-4;  ///< least sine of an angle that has a direction
 
-constexpr double kBeyond_m = 1e-9;  ///< farther from the shovel's outline no upright line meets it
+constexpr double kBeyond_m = 1e-9;  ///< margin around the shovel's outline
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -63,8 +64,8 @@ Digging::Bearing Digging::BearingOf(const SoilType& soil) const {
   return {at_surface_pa, BearingPressure_pa(soil, kShellWidth_m, 1) - at_surface_pa};
 }
 
-/// How far behind its face a shell must reach for no soil to slip through between two columns: a
-/// cell, against the level direction of the mouth. In B's x-z plane.
+/// Vector in B's x-z plane by which the shell extends to its back: one horizontal cell against the
+/// mouth's direction. It keeps soil from slipping between two columns.
 Vec2 Digging::ShellThickness_B(const BodyState& body, double cell_m) const {
   Vec3 behind_W = -(body.X_WB.linear() * shape_.mouth_normal_B());
   behind_W.z() = 0;
@@ -73,7 +74,7 @@ Vec2 Digging::ShellThickness_B(const BodyState& body, double cell_m) const {
   return cell_m / std::max(in_section.norm(), kLeastSpeed_mps) * behind_W.norm() * in_section;
 }
 
-/// The rectangle of columns over which the shovel stands, none marked yet.
+/// Sets the mask to the rectangle of columns around the shovel, all marked kOutside.
 void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& ground) {
   const double half_m = 0.5 * shovel_.width_m;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -96,7 +97,7 @@ void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& g
                     kOutside);
 }
 
-/// Where the shell, but not the shovel's inside, stands over a place.
+/// Crossing of a vertical line with the shell, for lines that miss the inside of the shovel.
 std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const ShovelShape::Upright& line,
                                                               const Vec2& behind_B) const {
   const auto low_m = shape_.LowestOfShell(line, behind_B);
@@ -107,8 +108,8 @@ std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const ShovelShape:
                                .low_normal_B = shape_.mouth_normal_B()};
 }
 
-/// Columns in which the shovel or its shell stands, and among them those whose soil it overlaps, or
-/// over which its face has passed in this step.
+/// Finds the columns in which the shovel or its shell stands and blocks them. The footprint lists
+/// those whose soil overlaps the shovel or the path of its edge in this step.
 void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground) {
   const std::vector<ColumnId> before = std::exchange(blocked_, {});
   footprint_.clear();
@@ -152,14 +153,15 @@ void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground)
   }
 }
 
-/// The ground on the side of the shovel where it lies lowest, which is where it gives way.
+/// Mean height of the ground on the lowest of the four sides. The ground yields to that side.
 double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) const {
-  constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
+  // positions along a side, over its length
+  constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};
   const Vec3 up_B = body.X_WB.linear().transpose() * Vec3::UnitZ();
   const ShovelShape::LevelExtent extent = shape_.ExtentAcross(up_B);
   const double off_m = ContactProbeDistance_m(kBeside_m, ground.cell_m());
   const double half_x = 0.5 * (extent.to_m - extent.from_m), half_y = 0.5 * shovel_.width_m;
-  const auto surface_m = [&](double x, double y) {  // from the shovel's middle
+  const auto surface_m = [&](double x, double y) {  // x and y from the middle of the shovel
     const Vec2 p = (extent.from_m + half_x + x) * extent.right;
     const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
     return ground.HeightAt(p_W.x(), p_W.y());
@@ -176,19 +178,20 @@ double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) con
   return lowest_m;
 }
 
-/// Whether the shell bears on the ground in a column, which then keeps `keep_m` above the shell's
-/// lowest point.
+/// True if the shell rests on the ground in a column. The column then keeps `keep_m` of soil above
+/// the shell's lowest point.
 bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
                          Columns* ground, double* keep_m, Wrench* wrench) const {
   const Vec3 n_W = body.X_WB.linear() * swept.crossing.low_normal_B;
-  // On a blade's face acts the force on its edge, until it lies on the ground.
+  // Until the face of a blade lies on the ground, only the edge force acts on it.
   const bool is_face = swept.crossing.through_mouth && shovel_.capacity_m3 <= 0;
   if (n_W.z() >= -(is_face ? kFaceDownward : kLeastDownward)) return false;
   const ColumnId k = ground->Touch(swept.i, swept.j);
   const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
   const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
-  // The shell's own advance into the column, and its possible elastic indentation.
+  // Advance of the shell into the column in this step. With a larger overlap, the shell has met the
+  // soil from ahead and does not rest on it.
   const double v_in_mps = v_W.dot(n_W);
   const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
   const bool comes_from_ahead = may_enter || v_in_mps < 0;
@@ -243,7 +246,7 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   }
 }
 
-/// Low-pass of apparent gravity at the edge, in which knocks do not show.
+/// Low-pass filter of apparent gravity at the edge, with impacts limited.
 void Digging::FilterApparentGravity(const BodyState& body, double dt_s) {
   const Vec3 r_W = body.X_WB.linear() * shape_.edge_B();
   const Vec3& w = body.w_WB_radps;
@@ -253,7 +256,8 @@ void Digging::FilterApparentGravity(const BodyState& body, double dt_s) {
   up_W_mps2_ += Clamp01(dt_s / kGravityTime_s) * (up_W - up_W_mps2_);
 }
 
-/// Whether ground stands before the mouth and keeps soil in. A mouth that looks down rests on it.
+/// True if ground in front of the mouth holds the soil in. A mouth that faces down rests on the
+/// ground.
 bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
   const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
   const Vec3 edge_W = body.X_WB * shape_.edge_B(), top_W = body.X_WB * shape_.top_edge_B();
@@ -273,19 +277,19 @@ ShovelShape::Hold Digging::HoldOf(const Vec3& up_B) const {
                         surface_up_B_);
 }
 
-/// The volume that stays in the shovel; `heap_m3` of it would stay by weight alone.
+/// Volume that stays in the shovel; `heap_m3` is the part that gravity and repose hold.
 double Digging::Holds_m3(double heap_m3) const {
   const SoilType& soil = soils_[carried_.main_soil()];
   const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_.volume_m3();
-  // Dug clods do not hold together: only those that touch the shell hang.
+  // Dug clods do not stick together: only those at the shell adhere.
   const double layer_m =
       std::min(std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3, kStuckClod_m);
   const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);
   return std::max(heap_m3, std::min(layer_m * shape_.inside_m2() * touched, shovel_.capacity_m3));
 }
 
-/// The load's surface turns with the shovel until it stands at repose; what more it turns, soil
-/// slides down. Soil that comes in lies level.
+/// Turns the surface of the load. It turns with the shovel until it reaches repose, then slides.
+/// Incoming soil lies level.
 void Digging::Settle(const Vec3& up_B) {
   const double carried_m3 = carried_.volume_m3();
   if (carried_.empty()) return;
@@ -300,8 +304,8 @@ void Digging::Settle(const Vec3& up_B) {
           : up_B;
 }
 
-/// Over the edge, the spaces between the teeth take turns; the outer teeth stand flush with the
-/// side walls.
+/// Soil falls through the gaps between the teeth in turn. The outer teeth are flush with the side
+/// walls.
 Digging::Gap Digging::NextGap(bool over_the_edge) {
   const double half_m = 0.5 * shovel_.width_m;
   if (!over_the_edge || shovel_.teeth < 2) return {-half_m, half_m};
@@ -324,14 +328,14 @@ void Digging::Spill(const BodyState& body, const Vec3& up_B, double heap_m3, dou
     spilling_m3_ = 0;
     return;
   }
-  // In whole clods, and the last of it at once.
+  // Soil leaves in whole clods; the last clod leaves at once.
   spilling_m3_ += excess_m3 * Clamp01(dt_s / kSpillTime_s);
   const double clod_m3 = grains->clod_m3();
   if (spilling_m3_ < clod_m3 && carried_m3 > clod_m3) return;
   const bool last = carried_m3 - spilling_m3_ < clod_m3 && holds_m3 < clod_m3;
   const double leaves_m3 = last ? carried_m3 : std::min(spilling_m3_, excess_m3);
   spilling_m3_ = 0;
-  // Just beyond the lip.
+  // One cell beyond the lip.
   const Vec2 out = Level(R_WB * shape_.mouth_normal_B());
   const Vec3 out_W = ground->cell_m() * Vec3(out.x(), out.y(), 0);
   const Gap gap = NextGap(shape_.IsOverEdge(up_B));

@@ -13,35 +13,34 @@
 
 namespace tera {
 
-/// A shovel at work: cuts what it sweeps, carries it, spills and dumps it, and is resisted.
+/// A shovel that cuts, carries, spills and dumps soil, and the forces on it.
 ///
 /// Frames  W; B frame of the shovel's link.
-/// Model   Geometry: no soil stays above the lowest point of the shovel's cross-section in any
-///         column. A bucket carries the soil that comes in through its mouth until it is heaped
-///         full. The rest goes outside in the direction of motion, with the soil that a blade, a
-///         bucket's back or its shell meets. Soil over a buried bucket passes over it and falls
-///         behind. Soil put outside lies over the columns that move with it, and from there rolls
-///         down to repose. A heap that the edge slides goes along as it lies; else a passive wedge
-///         rises from the shovel's lowest point at 45 deg - phi/2 and fans out. Soil before a blade
-///         rides up and over it above the slope at repose down from its top edge.
-///         Carried soil above the heap at repose, under the present apparent gravity, leaves over
-///         the lower lip at a finite rate. It falls as clods, over the cutting edge between the
-///         teeth. A layer sticks to the shell, as thick as adhesion (or cohesion, if less) holds
-///         against its weight, but no thicker than a clod. Dug soil is loose: soil that does not
-///         touch steel falls.
-///         Force: CuttingEdge, ShovelWalls, and the shell's underside, which rests on the ground.
-///         The underside is elastic up to the bearing pressure, then it presses the ground aside;
-///         Coulomb friction acts along it. Soil over the ground, up to the lowest of the surfaces
-///         on the shovel's four sides, is the ground's surcharge. So is the soil in a full bucket
-///         whose mouth looks down. The shell is a cell thick towards its back, so that no soil
-///         slips through it between two columns. Where a thin shell's face has passed over a column
-///         in a step, it has cut there.
-/// Omits   layers inside the bucket, the time in which its load slides, sticky soil that is shaken
-///         off.
+/// Model   Geometry: in each column, the shovel removes all soil above the lowest point of its
+///         cross-section. A bucket carries the soil that enters through its mouth until it is
+///         heaped full. Further soil goes outside, in the direction of motion. Soil in front of a
+///         blade, of a bucket's back or of its shell goes outside too. Soil over a buried bucket
+///         falls down behind it. Soil put outside is spread over the columns that move with the
+///         shovel and rolls from there down to repose. A loose heap in front of the edge moves
+///         along as a whole. Firm soil moves as a passive wedge that rises at 45 deg - phi/2 from
+///         the lowest point and fans out. Soil in front of a blade flows over it once it reaches
+///         the slope at repose from its top edge.
+///         Load: carried soil above the heap at repose leaves over the lower lip at a finite rate.
+///         Repose refers to apparent gravity. The soil falls as clods; at the cutting edge it falls
+///         between the teeth. A layer sticks to the shell. Its thickness balances weight and
+///         adhesion (or cohesion, if less), and is at most one clod. Dug soil is loose: soil that
+///         does not touch steel falls.
+///         Forces: CuttingEdge, ShovelWalls, and the underside of the shell on the ground. The
+///         underside is elastic up to the bearing pressure; then it displaces the ground. Coulomb
+///         friction acts along it. Soil above the ground, up to the lowest surface on the four
+///         sides, adds surcharge. Soil in a full bucket with its mouth down adds surcharge too. The
+///         shell counts as one cell thick towards its back, so that no soil slips between two
+///         columns. A column is also cut where the edge passed over it within the step.
+/// Omits   Layers inside the bucket, sliding time of the load, sticky soil that is shaken off.
 /// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {
  public:
-  /// `soils` are those of the ground, as the machine meets them.
+  /// `soils` are the soils of the ground, scaled by the footing of the machine.
   Digging(const Shovel& shovel, std::vector<SoilType> soils);
 
   struct Result {
@@ -57,8 +56,8 @@ class Digging {
     int i, j;
     ShovelShape::Crossing crossing;
   };
-  static constexpr double kLeastSpeed_mps = 1e-4;  ///< no direction below it
-  /// A level unit vector below a direction.
+  static constexpr double kLeastSpeed_mps = 1e-4;  ///< least speed that has a direction
+  /// Horizontal unit vector of a direction; +x if it is vertical.
   static Vec2 Level(const Vec3& v_W);
   Vec2 ShellThickness_B(const BodyState& body, double cell_m) const;
   void FrameMask(const BodyState& body, double behind_m, const Columns& ground);
@@ -74,9 +73,9 @@ class Digging {
   static Place PlaceNear(const Vec2& columns) {
     return {static_cast<int>(std::lround(columns.x())), static_cast<int>(std::lround(columns.y()))};
   }
-  /// Columns in a row that move together.
+  /// A row of columns that move together.
   struct Heap {
-    Vec2 out, direction;  ///< the first, and where the others are, in columns
+    Vec2 out, direction;  ///< first column, and step to the next, in columns
     std::size_t columns = 1;
 
     Place At(std::size_t n) const { return PlaceNear(out + static_cast<double>(n) * direction); }
@@ -97,7 +96,7 @@ class Digging {
   double Holds_m3(double heap_m3) const;
   void Spill(const BodyState& body, const Vec3& up_B, double heap_m3, double dt_s, Columns* ground,
              Grains* grains);
-  /// Where a lip lets soil through, along B's y axis.
+  /// Interval along B's y axis where a lip lets soil through.
   struct Gap {
     double from_m, to_m;
   };
@@ -116,21 +115,22 @@ class Digging {
     double At_pa(double depth_m) const { return at_surface_pa + per_depth_papm * depth_m; }
   };
   Bearing BearingOf(const SoilType& soil) const;
-  std::vector<Bearing> bearing_, bearing_loose_;  ///< of each soil, under the shell
-  double beside_m_ = 0;                           ///< lowest surface on the shovel's four sides
-  double lowest_m_ = 0, highest_m_ = 0;           ///< z of the shovel's lowest and highest point
+  /// for each soil: bearing pressure under the shell
+  std::vector<Bearing> bearing_, bearing_loose_;
+  double beside_m_ = 0;                  ///< lowest surface on the four sides of the shovel
+  double lowest_m_ = 0, highest_m_ = 0;  ///< z of the lowest and highest point of the shovel
   double heaped_m3_ = 0;
   SpoilMix carried_;
-  double spilling_m3_ = 0;             ///< of it that should have left, less than a clod
-  std::size_t spilt_ = 0;              ///< times that soil left over the edge
-  double fullest_m3_ = 0;              ///< most that it carried since it was last empty
-  Vec3 surface_up_B_ = Vec3::UnitZ();  ///< normal of the plane about which the load's surface lies
-  double lies_m3_ = 0;                 ///< of the load, that lay so in the last step
+  double spilling_m3_ = 0;             ///< excess soil that has not left yet, less than a clod
+  std::size_t spilt_ = 0;              ///< number of spills over the edge
+  double fullest_m3_ = 0;              ///< greatest load since the shovel was empty
+  Vec3 surface_up_B_ = Vec3::UnitZ();  ///< normal of the plane of the load's surface
+  double lies_m3_ = 0;                 ///< load in the last step
   Vec3 up_W_mps2_ = kStandardGravity_mps2 * Vec3::UnitZ();  ///< against apparent gravity, smoothed
-  std::size_t put_ = 0;                                     ///< parcels put outside so far
+  std::size_t put_ = 0;  ///< number of parcels put outside so far
   std::vector<Swept> footprint_;
   enum Part : std::uint8_t { kOutside, kInShell, kInside };
-  /// In which part of the shovel the columns of a rectangle stand.
+  /// Part of the shovel in which each column of a rectangle stands.
   struct Mask {
     int i0 = 0, i1 = -1, j0 = 0, j1 = -1;
     std::vector<Part> part;
@@ -142,8 +142,8 @@ class Digging {
       return static_cast<std::size_t>(j - j0) * (i1 - i0 + 1) + (i - i0);
     }
   };
-  Mask mask_, mask_before_;        ///< in this step, in the last
-  std::vector<ColumnId> blocked_;  ///< columns of the ground that this shovel blocks
+  Mask mask_, mask_before_;        ///< of this step, of the last step
+  std::vector<ColumnId> blocked_;  ///< columns that this shovel blocks
 };
 
 }  // namespace tera

@@ -10,16 +10,15 @@
 namespace tera {
 namespace {
 
-constexpr double kMargin_rad = 0.5 * kDeg;  ///< kept from the ends of the range of wedge angles
+constexpr double kMargin_rad = 0.5 * kDeg;  ///< distance from the ends of the range of wedge angles
 constexpr double kLeastRake_rad = 5 * kDeg;
-/// A wedge has at least this range of angles; without room for a wedge its equilibrium has a pole.
+/// Least range of wedge angles. With less, the equilibrium has a pole within the range.
 constexpr double kLeastRange_rad = 10 * kDeg;
 constexpr int kSections = 20;  ///< 90 deg * 0.618^20 is 0.006 deg
 
 double Cot(double a) { return 1 / std::tan(a); }
 
-/// The equation for one tool in one soil, ready to be evaluated for many wedge angles by their
-/// tangents. All functions of other angles are computed once.
+/// The equation for one tool in one soil, prepared for many wedge angles.
 class Wedges {
  public:
   explicit Wedges(const CuttingInput& in)
@@ -31,10 +30,11 @@ class Wedges {
         tan_friction_(std::tan(in.friction_rad)),
         tan_slope_(std::tan(in.slope_rad)),
         rise_(1 + tan_slope_ * cot_rake_),
-        at_rest_(1 - std::sin(in.friction_rad)) {}  // Jaky
+        at_rest_(1 - std::sin(in.friction_rad)) {}  // coefficient of earth pressure at rest (Jaky)
 
   CuttingFactors FactorsAt(double tan_wedge) const {
-    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);  // cotangent
+    // cotangent of the sum of wedge and friction angle
+    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);
     const double D = cos_contact_ + sin_contact_ * slip;
     const double ahead = Ahead(tan_wedge);
     CuttingFactors n;
@@ -46,11 +46,10 @@ class Wedges {
     return n;
   }
 
-  /// How much the wedge lifts of the level ahead of the edge: the slip plane comes out where it
-  /// meets a surface that rises by the slope.
+  /// Length of ground ahead of the edge that the wedge lifts, in depths.
   double Ahead(double tan_wedge) const { return 1 / (tan_wedge - tan_slope_); }
 
-  /// P, cohesion of the flanks included.
+  /// P, including the shear on the flanks.
   double ForceAt_n(double wedge_rad) const {
     const double tan_wedge = std::tan(wedge_rad);
     const CuttingFactors n = FactorsAt(tan_wedge);
@@ -63,7 +62,7 @@ class Wedges {
       const double shear_n = 2 * in_.flank_share *
                              (area_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
                               in_.flank_above_npm * d * ahead);
-      // N_c counts c over the slip plane, whose level part is `ahead` times the depth.
+      // N_c applies c over the slip plane, whose horizontal length is `ahead` times the depth.
       cohesive_npm += shear_n / (ahead * std::sqrt(1 + tan_wedge * tan_wedge)) / in_.width_m;
     }
     return in_.width_m *
@@ -98,7 +97,7 @@ CuttingInput AsUpright(CuttingInput in) {
 
 namespace {
 
-/// A blade comes out of falling ground behind its edge where it is steeper than the ground.
+/// On falling ground a flatter blade would leave the ground behind its edge.
 double LeastRake_rad(const CuttingInput& in) {
   return kLeastRake_rad + std::max(0.0, -in.slope_rad);
 }
@@ -107,7 +106,7 @@ double FlattestWedge_rad(const CuttingInput& in) {
   return std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
 }
 
-/// The steepest rake at which a plane slip surface has room below the pole of its equilibrium.
+/// The steepest rake that leaves room for a plane slip surface before the pole of the equilibrium.
 double RakeWithRoom_rad(const CuttingInput& in) {
   return kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad - FlattestWedge_rad(in) -
          kLeastRange_rad;
@@ -142,7 +141,7 @@ CuttingForce Cut(const CuttingInput& input) {
   CuttingInput in = AsUpright(input);
   in.rake_rad = std::max(in.rake_rad, LeastRake_rad(in));
   const double curved_n = std::max(0.0, CurvedSlipForce_n(in));
-  // Where friction is so steep that no spiral turns about a pole, the plane's force stands.
+  // At very high friction no spiral has an equilibrium; the force of the plane remains.
   if (!std::isfinite(curved_n)) return result;
   const bool has_room = in.rake_rad <= RakeWithRoom_rad(in);
   result.total_n = has_room ? std::min(result.total_n, curved_n) : curved_n;

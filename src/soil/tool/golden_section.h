@@ -2,8 +2,7 @@
 
 namespace tera {
 
-/// Where a function of one variable that falls and then rises is least, to 0.618^sections of the
-/// range.
+/// Golden-section search for the minimum of a unimodal function, to 0.618^sections of the range.
 template <typename F>
 double WhereLeast(const F& f, double low, double high, int sections) {
   constexpr double kGolden = 0.6180339887498949;

@@ -8,13 +8,13 @@ namespace tera {
 namespace {
 
 constexpr double kSteepestToEdge = 0.46630765815499864;  ///< tangent of 25 deg
-constexpr double kFitSpan_m = 0.225;  ///< over which the surface is carried on to the edge
-constexpr double kReachInDepths = 8;  ///< slip surfaces come out within it
+constexpr double kFitSpan_m = 0.225;  ///< length of ground that is fitted by a line up to the edge
+constexpr double kReachInDepths = 8;  ///< in depths; slip surfaces end within it
 constexpr double kLeastReach_m = 3;   ///< a heap that slides as a whole ends within it
 constexpr double kFirstStepInDepths = 0.1;
 constexpr double kLeastFirstStep_m = 0.02;
 
-/// The ratio of a geometric row that starts with `first_m` and adds up to `sum_m` in `steps`.
+/// Ratio of a geometric series of `steps` terms that starts with `first_m` and has the sum `sum_m`.
 double RatioOfRow(double first_m, double sum_m, int steps) {
   double ratio = 1.2;
   for (int k = 0; k < 8; ++k) {
@@ -23,7 +23,7 @@ double RatioOfRow(double first_m, double sum_m, int steps) {
   return std::max(ratio, 1.0 + 1e-6);
 }
 
-/// Places from `near_m` on, the first of all at the edge.
+/// Positions ahead of the edge: 0, `near_m`, then with growing steps.
 std::array<double, GroundAhead::kPlaces> PlacesAhead_m(double near_m, double depth_m) {
   std::array<double, GroundAhead::kPlaces> x_m{};
   double step_m = std::max(kLeastFirstStep_m, kFirstStepInDepths * depth_m);
@@ -48,7 +48,7 @@ GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, cons
   look(1);
   if (ahead.top_m[1] <= 0) return ahead;
   ahead.x_m = PlacesAhead_m(near_m, ahead.top_m[1]);
-  // Sums for the line nearest to the ground close by.
+  // Sums of a least-squares line through the nearest ground.
   double n = 0, x = 0, z = 0, xx = 0, xz = 0;
   for (int k = 1; k < GroundAhead::kPlaces; ++k) {
     look(k);

@@ -9,23 +9,26 @@
 namespace tera {
 namespace {
 
-constexpr double kBesideCorner_m = 1e-7;  ///< from a corner of the shell, to look at both its sides
-constexpr double kStep_m = 1e-4;          ///< more is a step of the shell
-constexpr double kMostTilt_rad = 75 * kDeg;  ///< sideways
-constexpr double kMound = 0.3;               ///< slope of the mound over the steepest one
-constexpr double kRoundTop = 0.25;           ///< radius of the mound's top over the mouth's length
-constexpr double kLeastNormal = 0.1;         ///< of a surface's normal
+/// offset from a corner of the shell, to sample both sides
+constexpr double kBesideCorner_m = 1e-7;
+constexpr double kStep_m = 1e-4;             ///< a greater height difference is a step of the shell
+constexpr double kMostTilt_rad = 75 * kDeg;  ///< limit of the sideways tilt
+constexpr double kMound = 0.3;               ///< slope of the bulge over the steepest slope
+constexpr double kRoundTop = 0.25;  ///< radius of the top of the bulge over the length of the mouth
+constexpr double kLeastNormal = 0.1;  ///< least upward component of the surface normal
 constexpr double kOpen = std::numeric_limits<double>::infinity();
 
-/// How much higher than a point of the rim soil may stand at a place beside it.
+/// Greatest height of soil above a point of the rim, at a horizontal offset from it.
 ///
-/// Frames  dx and dy from the point along the columns' axes; gravity's up is (0, up_y, up_z).
-/// Model   soil rises from the point at the slope t. Its rise g against gravity changes the level
-///         distance in turn: g^2 = t^2 (dx^2 + (dy - up_y g)^2 / up_z^2).
+/// Frames  dx and dy from the point along the axes of the columns; the direction against gravity is
+///         (0, up_y, up_z).
+/// Model   Soil rises from the point at the slope t. Its rise g against gravity in turn changes the
+///         horizontal distance: g^2 = t^2 (dx^2 + (dy - up_y g)^2 / up_z^2).
 class Cone {
  public:
   Cone(double slope_rad, double up_y, double up_z) : up_y_(up_y), up_z_(up_z) {
-    constexpr double kLeast = 0.05;  // tilted sideways beyond its slope's hold
+    // lower limit, for a sideways tilt beyond the slope of the soil
+    constexpr double kLeast = 0.05;
     const double t2 = std::pow(std::tan(slope_rad), 2), over_z2 = 1 / (up_z * up_z);
     a_ = std::max(kLeast, 1 - t2 * up_y * up_y * over_z2);
     b_ = t2 * up_y * over_z2;
@@ -40,8 +43,7 @@ class Cone {
   double up_y_, up_z_, a_, b_, c_x_, c_y_;
 };
 
-/// Integral over a triangle of area 1 of the positive part of a linear function with these values
-/// at its corners.
+/// Mean over a triangle of the positive part of a linear function with the given corner values.
 double MeanOfPositive(double a, double b, double c) {
   if (a > b) std::swap(a, b);
   if (b > c) std::swap(b, c);
@@ -87,7 +89,7 @@ HeapGrid::Slice HeapGrid::SliceAt(const std::vector<Vec2>& outline, double x_m) 
   return slice;
 }
 
-/// Slices at equal distances and at the shell's corners; two where the shell has a step.
+/// Slices at equal distances and at the corners of the shell; two slices at a step of the shell.
 void HeapGrid::CutSlices(const ShovelShape& shape, double cell_m) {
   std::vector<Vec2> outline;
   for (const Vec2& p : shape.held_B()) outline.push_back(Level(p));
@@ -112,7 +114,7 @@ void HeapGrid::CutSlices(const ShovelShape& shape, double cell_m) {
   std::erase_if(slices_, [](const Slice& s) { return !(s.ceiling_m > s.floor_m); });
 }
 
-/// The mouth's rim: both lips, and the tops of the side walls between them.
+/// The rim of the mouth: both lips, and the tops of the side walls.
 std::array<HeapGrid::RimSide, 4> HeapGrid::Rim() const {
   std::array<RimSide, 4> rim_m;
   for (const double y_m : ys_m_) {
@@ -130,8 +132,8 @@ std::array<HeapGrid::RimSide, 4> HeapGrid::Rim() const {
   return rim_m;
 }
 
-/// The cones of all points of the rim limit each column. Along a side of the rim the height
-/// that its points leave is convex: the point that leaves least is near that of the column before.
+/// Limits each column by the cones of all points of the rim. Along one side of the rim the limit is
+/// convex, so the search starts at the result of the previous column.
 void HeapGrid::Limit(const Stance& stance, const HeapRelief& relief) {
   const Cone cone(stance.slope_rad, up_y_, up_z_);
   const std::array<RimSide, 4> rim_m = Rim();
@@ -147,7 +149,7 @@ void HeapGrid::Limit(const Stance& stance, const HeapRelief& relief) {
       std::size_t& k = least[side];
       double at_m = leaves_m(k);
       for (const int step : {1, -1}) {
-        while (k + step < points_m.size()) {  // beyond 0 it is the largest number
+        while (k + step < points_m.size()) {  // k - 1 wraps to the largest number at 0
           const double next_m = leaves_m(k + step);
           if (next_m >= at_m) break;
           k += step, at_m = next_m;
@@ -212,7 +214,7 @@ Vec3 HeapGrid::At_B(std::size_t column, double height_m) const {
   return Vec3(in_plane.x(), ys_m_[column % ys_m_.size()], in_plane.y());
 }
 
-/// Place, in the mouth's plane, of the point below or above which a column stands.
+/// Position in the plane of the mouth above or below a column.
 Vec2 HeapGrid::PlaceOf(std::size_t column) const {
   const Vec2 mouth = edge_lip_ - top_lip_;
   const double x_m = slices_[column / ys_m_.size()].x_m - top_lip_.x();

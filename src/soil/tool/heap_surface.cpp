@@ -9,19 +9,20 @@
 namespace tera {
 namespace {
 
-constexpr double kCoarse = 3;    ///< cells of the grid that tries stances, over those of the last
-constexpr int kTurns = 6;        ///< bisections of how far a heap is turned
-constexpr int kSlopes = 6;       ///< bisections of how steep it stands
-constexpr int kLevels = 18;      ///< bisections of how high it is filled
-constexpr double kSpare = 1.02;  ///< of the volume, that a stance on the coarse grid must hold
+constexpr double kCoarse = 3;    ///< cell size of the trial grid over that of the final grid
+constexpr int kTurns = 6;        ///< bisections for the turn of the heap
+constexpr int kSlopes = 6;       ///< bisections for its slope
+constexpr int kLevels = 18;      ///< bisections for its level
+constexpr double kSpare = 1.02;  ///< volume that the trial grid must hold, over the carried volume
 constexpr double kSteepest_rad = 85 * kDeg;
-constexpr double kLeastUp = 0.05;  ///< of up in the profile's plane
+/// least component of the up direction in the plane of the profile
+constexpr double kLeastUp = 0.05;
 
 using Stance = HeapGrid::Stance;
 
 double Holds_m3(const HeapGrid& grid) { return grid.VolumeBelow_m3(grid.highest_m()); }
 
-/// The least of [0, 1] at which `suits` holds, if it does at 1.
+/// Smallest value in [0, 1] for which `suits` is true, by bisection. `suits` must be true at 1.
 template <typename Suits>
 double LeastThatSuits(int bisections, const Suits& suits) {
   double low = 0, high = 1;
@@ -32,15 +33,15 @@ double LeastThatSuits(int bisections, const Suits& suits) {
   return high;
 }
 
-/// Direction `s` of the way from `a` to `b`, unit vectors, about B's y axis where they are
-/// opposite.
+/// Interpolates unit vectors, with share `s` of `b`. Returns `b` where the result has no part in
+/// the x-z plane.
 Vec3 Between(const Vec3& a, const Vec3& b, double s) {
   const Vec3 mean = (1 - s) * a + s * b;
   return std::hypot(mean.x(), mean.z()) > kLeastUp ? mean.normalized() : b;
 }
 
-/// How soil lies so that the shovel holds it: as gravity has it at repose, or as near to that as
-/// can be.
+/// Stance in which the shovel holds the volume: at repose under gravity, or as close to it as
+/// possible.
 Stance FindStance(const ShovelShape& shape, const CarriedHeap& heap, double cell_m,
                   const HeapRelief& relief) {
   const auto holds = [&](const Vec3& up_B, double slope_rad) {
@@ -64,7 +65,7 @@ Stance FindStance(const ShovelShape& shape, const CarriedHeap& heap, double cell
   return {level_B, level_B, slope_rad(more)};
 }
 
-/// Collects the triangles of a surface, cut off where it meets the shell.
+/// Collects the triangles of a surface, clipped where it meets the shell.
 class Cutter {
  public:
   Cutter(const HeapGrid& grid, double level_m)
@@ -73,7 +74,7 @@ class Cutter {
   void Add(const std::array<std::size_t, 3>& corners) {
     if (std::all_of(corners.begin(), corners.end(),
                     [&](std::size_t n) { return columns_[n].at_shell; })) {
-      return;  // the shell's own face
+      return;  // the triangle lies on the shell
     }
     std::vector<std::uint32_t> polygon;
     for (std::size_t e = 0; e < 3; ++e) {
@@ -89,7 +90,8 @@ class Cutter {
   HeapSurface Take() { return std::move(surface_); }
 
  private:
-  /// The surface at column `a`, or where it meets the shell between `a` and `b`.
+  /// Index of the surface point at column `a`, or where the surface meets the shell between `a` and
+  /// `b`.
   std::uint32_t Point(std::size_t a, std::size_t b) {
     std::uint32_t& known =
         a == b ? at_column_[a] : crossings_.try_emplace({a, b}, kNone).first->second;
@@ -111,7 +113,7 @@ class Cutter {
   const HeapGrid& grid_;
   std::vector<HeapGrid::Column> columns_;
   static constexpr std::uint32_t kNone = 0xffffffff;
-  std::vector<std::uint32_t> at_column_;  ///< points
+  std::vector<std::uint32_t> at_column_;  ///< index of the point at each column
   std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> crossings_;
   HeapSurface surface_;
 };

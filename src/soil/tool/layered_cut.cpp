@@ -10,29 +10,30 @@
 namespace tera {
 namespace {
 
-constexpr double kWedgeLength = 2;  ///< of the soil that an upright blade lifts, in depths
+constexpr double kWedgeLength = 2;  ///< length of the wedge ahead of a vertical blade, in depths
 
-/// The level and upright force of a part of a blade.
+/// Horizontal and vertical force on a part of a blade.
 struct Force {
   double draft_n = 0, vertical_n = 0;
 
   Force operator+(const Force& b) const { return {draft_n + b.draft_n, vertical_n + b.vertical_n}; }
 };
 
-/// Soil over a layer at the blade. A heap of loose soil on top may fall off ahead.
+/// The layers above a layer, at the blade. A heap of loose soil on top may become lower ahead.
 class Above {
  public:
   double depth_m() const { return depth_m_; }
   double flank_npm() const { return flank_npm_; }
-  /// Whether its top is loose.
+  /// True if the top layer is loose.
   bool has_heap() const { return heap_m_ > 0; }
-  /// Mean weight over a length of ground on which the heap becomes lower by `falls`.
+  /// Mean weight over a length of ground, where the height of the heap falls at the slope `falls`.
   double WeightOver_pa(double length_m, double falls) const {
     return weight_pa_ - heap_pa_ * (1 - HeapOver(falls * length_m));
   }
   void Add(const CutLayer& layer, double thickness_m) {
     const double weight_pa = layer.density_kgpm3 * kStandardGravity_mps2 * thickness_m;
-    const double at_rest = 1 - std::sin(layer.friction_rad);  // Jaky
+    // coefficient of earth pressure at rest (Jaky)
+    const double at_rest = 1 - std::sin(layer.friction_rad);
     const double normal_pa = at_rest * (weight_pa_ + 0.5 * weight_pa);
     flank_npm_ += thickness_m * (layer.cohesion_pa + normal_pa * std::tan(layer.friction_rad));
     if (layer.is_loose && heap_m_ == depth_m_) {
@@ -44,7 +45,7 @@ class Above {
   }
 
  private:
-  /// Mean height of the heap, in parts of that at the blade, where it falls off by `fall_m` in all.
+  /// Mean height of the heap over its height at the blade, if it falls by `fall_m` in total.
   double HeapOver(double fall_m) const {
     if (fall_m <= 0 || heap_m_ <= 0) return 1;
     return fall_m > heap_m_ ? 0.5 * heap_m_ / fall_m : 1 - 0.5 * fall_m / heap_m_;
@@ -81,20 +82,20 @@ Force ForceOn(const CuttingInput& slice) {
   return {force.draft_n, force.vertical_n};
 }
 
-/// Passive thrust on an upright line through a layer.
+/// Passive thrust of a layer on a vertical plane.
 double Rankine_n(CuttingInput slice) {
   slice.rake_rad = kPi / 2;
   slice.tool_friction_rad = slice.adhesion_pa = slice.speed_mps = 0;
   return Cut(slice).total_n;
 }
 
-/// Shear strength that a soil has at the top of a slice.
+/// Shear strength of a soil at the top of a slice.
 double StrengthAtTop_pa(const CuttingInput& soil, double overburden_pa) {
   return soil.cohesion_pa + (overburden_pa + soil.surcharge_pa) * std::tan(soil.friction_rad);
 }
 
-/// The force that pushes the layers above slice `n` as a block on that slice's soil; infinite
-/// where the blade's friction holds the block down for good.
+/// Force that pushes the layers above slice `n` as a block over that slice. Infinite if friction on
+/// the blade jams the block.
 Force BlockOn(const Slices& slices, int n) {
   const CuttingInput& seam = slices.in[n];
   double thickness_m = 0, ahead_n = 0, adhesion_npm = 0, tool_friction_m = 0;
@@ -143,7 +144,7 @@ CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layer
     least.vertical_n = force.vertical_n;
     least.total_n = std::hypot(force.draft_n, force.vertical_n);
   };
-  std::array<Force, CutSoil::kMostLayers + 1> below;  // sum of the slices from one on
+  std::array<Force, CutSoil::kMostLayers + 1> below;  // sum over this slice and all deeper ones
   for (int n = slices.count - 1; n >= 0; --n) below[n] = ForceOn(slices.in[n]) + below[n + 1];
   try_force(below[0]);
   for (int n = 1; n < slices.count; ++n) {
@@ -157,7 +158,7 @@ CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layer
 
 namespace {
 
-/// Densities and cohesion of the firm soil at the edge, and of the loose soil on it.
+/// Fills in the mean densities of firm and loose soil, and the mean cohesion of the firm soil.
 SoilAhead WithSoilOf(const CutSoil& cut, SoilAhead ahead) {
   CutLayer firm, loose;
   for (const CutLayer& layer : cut.layers()) {
@@ -175,8 +176,8 @@ SoilAhead WithSoilOf(const CutSoil& cut, SoilAhead ahead) {
   return ahead;
 }
 
-/// How much less layers of different strength take than soil of their mean, on level ground. Loose
-/// soil on firm soil of the same friction is none: the ground ahead tells where each of them lies.
+/// Force in layered soil over force in soil of its mean, on level ground. It is 1 for loose soil on
+/// firm soil of equal friction, because GroundAhead resolves that border.
 double ShareOfLayers(const CuttingInput& in, const CutSoil& soil) {
   const bool heap_alone = soil.layer_count == 2 && soil.layer[0].is_loose &&
                           soil.layer[0].friction_rad == soil.layer[1].friction_rad;

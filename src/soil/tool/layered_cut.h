@@ -9,37 +9,37 @@
 
 namespace tera {
 
-/// The force that a plane blade needs to cut soil in layers: the least of those along surfaces
-/// that use the weakest of them.
+/// Force that a plane blade needs to cut layered soil: the least over slip surfaces that use the
+/// weakest layers.
 ///
-/// Model   Soil fails where that takes least. The search covers
-///         - one plane through all layers, as strong as they are on average over the depth;
-///         - a surface with a kink at each border: each layer slips at the angle that makes its own
-///           part of P least, under the weight of the layers above as a surcharge, and the parts
-///           add up. With one angle for all it is that of the earthmoving equation;
-///         - along each border to a softer soil below, layers above it slide on that soil as one
-///           block, as long as thick. They push Rankine's passive wedge before them, while those
-///           below slip as in the second. The blade's upright force presses the block down or
-///           lifts it.
-///         In soil of one strength only the first remains. Borders lie parallel to the surface, but
-///         under loose soil they rise as the firm soil does.
-///         Where layers reach less deep than the edge, the lowest goes on.
-///         The wedge's angle and length are those of the plane, whichever surface is the least.
-/// Omits   soft soil just below the edge, cracks, crusts that bend; shear along borders between
-///         layers that slip at different angles, so that the second is no strict upper bound;
-///         inertia of the block and of the wedge before it.
-/// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 5 (the least of upper bounds); Bowles
+/// Model   The search covers three kinds of surfaces:
+///         - One plane through all layers, with the mean strength over the depth.
+///         - A surface with a kink at each border. Each layer slips at the angle of its own least
+///           force, under the layers above as surcharge, and the forces add up. With one common
+///           angle this is the earthmoving equation.
+///         - For each border with a softer layer below: the layers above slide on that layer as one
+///           block, as long as it is thick. The block pushes Rankine's passive wedge ahead. The
+///           layers below slip as in the second kind. The vertical force of the blade presses the
+///           block down or lifts it.
+///         In soil of uniform strength only the first kind remains. Borders are parallel to the
+///         surface; under loose soil they follow the slope of the firm soil. Where the layers end
+///         above the edge, the lowest one continues. Wedge angle and length are always those of the
+///         plane.
+/// Omits   Soft soil just below the edge, cracks, crusts that bend, inertia of the block and of its
+///         wedge. Shear between layers that slip at different angles, so that the second kind is no
+///         strict upper bound.
+/// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 5 (least of upper bounds); Bowles
 ///         1996, Foundation Analysis and Design, ch. 11 (layered backfill); NAVFAC DM 7.01, 1986,
-///         ch. 7 (a central block on a weak seam and its resisting wedge).
+///         ch. 7 (block on a weak seam and its resisting wedge).
 CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layers);
 
-/// The force to move the ground that lies ahead (CutAhead). Layers weaker than soil of their mean
-/// reduce it by the same share as on level ground. `ground` and `soil` replace the soil and depth
-/// of `blade`; only the soil on the blade counts in `ahead`.
+/// Force to move the ground ahead (CutAhead), reduced by the ratio of layered to mean soil on level
+/// ground. `ground` and `soil` replace the depth and soil of `blade`. `ahead` provides only the
+/// load on the blade.
 CuttingForce CutLayersAhead(const CuttingInput& blade, const GroundAhead& ground,
                             const CutSoil& soil, const SoilAhead& ahead);
 
-/// The blade's input with the soil of a layer.
+/// Input of the blade with the soil of a layer.
 CuttingInput InSoilOf(const CutLayer& layer, CuttingInput in);
 
 }  // namespace tera

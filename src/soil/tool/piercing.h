@@ -7,19 +7,19 @@
 
 namespace tera {
 
-/// Pressure on a steel edge of some thickness that is pushed into each of several soils.
+/// Pressure on a steel edge that is pushed into soil.
 ///
-/// Model   The pressure is 10 % of the bearing pressure at 0.5 m at the surface. It grows with
-///         depth to all of it at 0.5 m, and no more below. It is zero above the ground. Loose soil
-///         has no cohesion.
-/// Source  penetration resistance as in Algoryx's terrain material.
+/// Model   The reference is the bearing pressure at 0.5 m depth. The pressure rises linearly from
+///         10 % of it at the surface to 100 % at 0.5 m, and is constant below. Above the ground it
+///         is zero. Loose soil has no cohesion.
+/// Source  Penetration resistance as in the terrain material of Algoryx.
 class Piercing {
  public:
   Piercing(const std::vector<SoilType>& soils, double thickness_m);
   double Pressure_pa(const CutSoil& soil, double depth_m) const;
 
  private:
-  std::vector<double> full_pa_, full_loose_pa_;  ///< of each soil
+  std::vector<double> full_pa_, full_loose_pa_;  ///< one for each soil
 };
 
 }  // namespace tera

@@ -4,41 +4,39 @@
 #include "core/units.h"
 #include "soil/tool/digging.h"
 
-/// Where soil goes that a shovel pushes aside.
+/// Destination of the soil that a shovel pushes aside.
 
 namespace tera {
 namespace {
 
-constexpr std::size_t kWidestWedge = 60;  ///< columns
+constexpr std::size_t kWidestWedge = 60;  ///< greatest length of a moved row, in columns
 constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of motion
-constexpr double kParcel_m = 0.001;       ///< soil is spread in parcels at least this thick
-constexpr double kThickest_m = 0.02;      ///< and at most this
-constexpr int kLongestRoll = 60;          ///< columns
-/// Loose shares of the pushed soil: the first where it begins to slide as a heap, the second where
-/// all of it does.
+constexpr double kParcel_m = 0.001;       ///< least thickness of a parcel of spread soil
+constexpr double kThickest_m = 0.02;      ///< greatest thickness of a parcel
+constexpr int kLongestRoll = 60;          ///< greatest distance of rolling, in columns
+/// Loose share of the pushed soil at which it starts to move as a heap, and at which all of it
+/// does.
 constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;
 
-/// The n-th multiple of a ratio, without its whole part. With these two ratios the numbers fill a
-/// square evenly, however many there are (Roberts 2018, the sequence R2).
+/// Fractional part of a multiple of `ratio`. With these two ratios the pairs fill a square evenly
+/// for any count (Roberts 2018, sequence R2).
 constexpr double kAcross = 0.7548776662466927, kAlong = 0.5698402909980532;
 double Turn(std::size_t n, double ratio) {
   const double at = ratio * static_cast<double>(n);
   return at - std::floor(at);
 }
 
-/// The column nearest to a place in columns.
 int Nearest(double columns) { return static_cast<int>(std::lround(columns)); }
 
 }  // namespace
 
-/// Whether a part of the shovel moves along rather than up or down.
+/// True if a part of the shovel moves sideways rather than up or down.
 bool Digging::MovesAlong(const Vec3& v_W) {
   const double along_mps = v_W.head<2>().norm();
   return along_mps >= 0.5 * std::abs(v_W.z()) && along_mps >= kLeastSpeed_mps;
 }
 
-/// Where soil goes that a part of the shovel pushes: ahead of it, or, pressed down, to the nearer
-/// side.
+/// Direction of pushed soil: that of the motion, or towards the nearer side if pressed down.
 Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const {
   if (MovesAlong(v_W)) return v_W.head<2>().normalized();
   const Mat3& R_WB = body.X_WB.linear();
@@ -47,16 +45,16 @@ Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) co
   return Level({side.x(), side.y(), 0});
 }
 
-/// Where one comes out of the footprint from a column of it, in columns.
+/// First position outside the footprint from one of its columns, in columns.
 Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
-  constexpr double kStep = 0.7;  // in columns: skips none
+  constexpr double kStep = 0.7;  // in columns; small enough to skip no column
   Vec2 at(swept.i, swept.j);
   while (InFootprint(Nearest(at.x()), Nearest(at.y()))) at += kStep * direction;
   return at;
 }
 
-/// Share in which soil above a part of the shovel slides as a heap. It is 0 where half of the soil
-/// is firm and breaks, and 1 where nearly all is loose.
+/// Share of the soil above a part of the shovel that moves as a heap: 0 if half of the soil is
+/// firm, 1 if nearly all is loose.
 double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const {
   const ColumnId k = ground.IdAt(at.i, at.j);
   if (k == Columns::kNone) return 0;
@@ -67,14 +65,14 @@ double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns&
                     : 0;
 }
 
-/// The ground outside the footprint that a part of the shovel moves when it pushes in `way_out`.
-/// Firm soil moves in a fan, above a plane that rises from the shovel's lowest point at Rankine's
-/// passive angle. A heap moves straight ahead, as far as the edge moves it.
+/// Columns outside the footprint that move when a part of the shovel pushes in `way_out`. Firm soil
+/// moves in a fan, above a plane from the shovel's lowest point at Rankine's passive angle. A heap
+/// moves straight ahead, as far as the edge moves it.
 Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, const Vec2& way_out,
                                   const SoilType& soil, const Columns& ground) const {
   const Vec2 straight = WayOutFrom(swept, way_out);
   const double slides = SlidesAsHeap(PlaceNear(straight), swept, ground);
-  // Unfanned, all that one place of the shovel pushes would lie in one line.
+  // Without the fan, all soil from one place of the shovel would form one line.
   const double fan_rad = (1 - slides) * kFan_rad * (2 * Turn(put_, kAcross) - 1);
   const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
                        std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
@@ -97,13 +95,13 @@ Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, con
   return heap;
 }
 
-/// Puts soil outside the footprint in `way_out`, on the columns that move there. From there it
-/// rolls down slopes steeper than repose, or over a blade.
+/// Puts soil on the columns that move in `way_out`. From there it rolls down slopes steeper than
+/// repose, or over a blade.
 void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
                          SpoilMix* spoil, Columns* ground) {
   const SoilType& soil = soils_[spoil->main_soil()];
   const Heap heap = HeapBefore(body, swept, way_out, soil, *ground);
-  // In parcels that are worth the trouble, which take turns over the columns.
+  // Distributes parcels of useful size over the columns in turn.
   const double thickness_m = spoil->volume_m3() / ground->area_m2();
   const std::size_t parcels = std::clamp<std::size_t>(
       static_cast<std::size_t>(thickness_m / kParcel_m), 1,
@@ -117,7 +115,7 @@ void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& 
   }
 }
 
-/// Soil that stands over a buried bucket, which moves on under it, falls where the bucket has been.
+/// Drops the soil above a buried, moving bucket behind it.
 void Digging::LetPassOver(const Swept& swept, const Vec3& v_W, Columns* ground) {
   SpoilMix over;
   ground->Cut(ground->Touch(swept.i, swept.j), highest_m_, &over);
@@ -132,9 +130,8 @@ void Digging::LetPassOver(const Swept& swept, const Vec3& v_W, Columns* ground) 
   }
 }
 
-/// Whether soil that comes to a place before a blade rides up and over it. It does where the soil
-/// there reaches the slope at repose down from the blade's top edge. Soil above that edge, such as
-/// a bank, does not.
+/// True if soil in front of a blade flows over it: it has reached the slope at repose from the top
+/// edge. Soil above the top edge, such as a bank, does not flow over.
 bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_rad,
                         const Columns& ground) const {
   if (shovel_.capacity_m3 > 0 || !ground.Contains(at.i, at.j)) return false;
@@ -145,8 +142,8 @@ bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_ra
   return over_top_m < 0 && over_top_m > -std::max(0.0, ahead_m) * std::tan(repose_rad);
 }
 
-/// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
-/// the shovel does not bar.
+/// Moves `at` to the steepest lower neighbour outside the footprint if soil rolls there. True if it
+/// moved.
 bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const {
   if (!ground.Contains(at->i, at->j)) return false;
   const double top_m = ground.TopAt(at->i, at->j);

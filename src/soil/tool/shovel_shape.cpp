@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr double kTiny = 1e-12;
-constexpr double kSteepestRise_rad = 85 * kDeg;  ///< of soil from a side wall
+constexpr double kSteepestRise_rad = 85 * kDeg;  ///< steepest slope of soil at a side wall
 
 double NotZero(double x) { return std::abs(x) > kTiny ? x : kTiny; }
 
@@ -27,7 +27,7 @@ double TwiceArea_m2(const std::vector<Vec2>& profile) {
   return sum_m2;
 }
 
-/// A polyline without its first `length_m`; at least its last three points.
+/// The polyline without its first `length_m`, with at least three points.
 std::vector<Vec2> Behind(double length_m, std::vector<Vec2> profile) {
   while (length_m > 0 && profile.size() > 3) {
     const Vec2 along = profile[1] - profile[0];
@@ -41,8 +41,8 @@ std::vector<Vec2> Behind(double length_m, std::vector<Vec2> profile) {
   return profile;
 }
 
-/// Mean over a width of the height of soil that is `most_m` high in the middle and rises with given
-/// slopes from both ends. The first slope may fall.
+/// Mean height across a width of soil with the height `most_m` in the middle and the given slopes
+/// from both ends. The first slope may be negative.
 double MeanOfRoof_m(double most_m, double rise_a, double rise_b, double width_m) {
   if (rise_a < 0) {
     if (most_m >= 0) return 0.5 * rise_a * width_m;
@@ -139,7 +139,8 @@ ShovelShape::Upright ShovelShape::Uprights::At(double x_m, double y_m) const {
   return line;
 }
 
-/// z where it crosses a line from `a` along `d` in B's x-z plane, if it does.
+/// z at which the line crosses the segment from `a` to `a + d` in B's x-z plane. Empty if it does
+/// not.
 std::optional<double> ShovelShape::Upright::Crosses_m(const Vec2& a, const Vec2& d) const {
   const Vec2 u(u_B.x(), u_B.z());
   const double denominator = Cross(u, d);
@@ -198,15 +199,15 @@ std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Upright
   return crossing;
 }
 
-/// Heaped soil as slices along the horizontal, each from its floor to its surface.
+/// Heaped soil as vertical slices, each from floor to surface.
 struct ShovelShape::Heap {
   static constexpr int kSlices = 40;
   struct Slice {
     double x = 0, floor = 0, surface = 0;
   };
-  Vec2 right, up;  ///< axes in the profile's plane
+  Vec2 right, up;  ///< axes in the plane of the profile
   double dx = 0;
-  double rise = 0;  ///< of the planes below which soil is looked for; heights are counted from them
+  double rise = 0;  ///< slope of the planes that cut off the soil; heights are relative to them
   std::array<Slice, kSlices> slices;
 
   Vec2 Level(const Vec2& p) const { return Vec2(p.dot(right), p.dot(up)); }
@@ -222,7 +223,7 @@ struct ShovelShape::Heap {
     for (const Slice& s : slices) area += std::max(0.0, std::min(s.surface, cap) - s.floor) * dx;
     return area;
   }
-  /// Deepest floor and highest surface.
+  /// Lowest floor and highest surface.
   std::pair<double, double> Extent() const {
     double top = -std::numeric_limits<double>::infinity(), bottom = -top;
     for (const Slice& s : slices) {
@@ -232,7 +233,7 @@ struct ShovelShape::Heap {
     }
     return {bottom, top};
   }
-  /// Centre of the section below `cap`, in Level's axes; nothing where that is empty.
+  /// Centre of the section below `cap`, in the axes of Level. Empty if there is no soil.
   std::optional<Vec2> CentreBelow(double cap) const {
     double area = 0;
     Vec2 moment = Vec2::Zero();
@@ -248,8 +249,8 @@ struct ShovelShape::Heap {
   }
 };
 
-/// The fullest heap under `up_B`: soil rises from each lip inwards at the angle of repose, and over
-/// the mouth from the side walls, which may stand at different heights.
+/// The fullest heap under `up_B`. Soil rises at repose from each lip inwards. Over the mouth it
+/// also rises from the side walls, which may have different heights.
 ShovelShape::Heap ShovelShape::FullestHeap(const Vec3& up_B, double repose_rad) const {
   const Vec2 up = Vec2(up_B.x(), up_B.z()).normalized();
   Heap heap{.right = Vec2(up.y(), -up.x()), .up = up};
@@ -281,7 +282,7 @@ ShovelShape::Heap ShovelShape::FullestHeap(const Vec3& up_B, double repose_rad) 
       if (z > high) high = z, open = is_mouth;
     }
     if (!(high > low) || bottomless) continue;
-    // Beyond a lip the soil stays level.
+    // Outwards from a lip, soil does not rise.
     const double inward_a = lip_a.x() < lip_b.x() ? slice.x - lip_a.x() : lip_a.x() - slice.x;
     const double inward_b = lip_b.x() < lip_a.x() ? slice.x - lip_b.x() : lip_b.x() - slice.x;
     double surface = std::min(lip_a.y() + slope * std::max(0.0, inward_a),
@@ -310,7 +311,7 @@ ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad, doub
   const auto [bottom, top] = heap.Extent();
   const double volume_per_area_m = capacity_m3_ / held_area_m2_;
   if (top > bottom) hold.volume_m3 = heap.AreaBelow(top) * volume_per_area_m;
-  // Level at which the volume asked for is reached, then its centre.
+  // Level with the requested volume, then the centre below it.
   double cap = top;
   if (volume_m3 < hold.volume_m3) {
     constexpr int kBisections = 20;

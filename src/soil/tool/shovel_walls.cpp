@@ -13,23 +13,24 @@ namespace tera {
 namespace {
 
 constexpr double kWallElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kBesideWall_m = 0.075;         ///< where the ground is looked at
-constexpr double kLeastUpright = 0.3;           ///< walls that lean over further push nothing aside
-constexpr double kSteep = 0.35;                 ///< backs that face further down rest on the ground
-constexpr double kSlowestWall_mps = 1e-4;       ///< slower walls keep their elastic travel
-constexpr int kStrips = 4;                      ///< of a wall
-constexpr int kRimPieces = 4;                   ///< of each edge of the mouth
+constexpr double kBesideWall_m = 0.075;         ///< distance at which the ground is sampled
+/// horizontal part of the normal below which a wall pushes nothing
+constexpr double kLeastUpright = 0.3;
+constexpr double kSteep = 0.35;            ///< backs that face further down rest on the ground
+constexpr double kSlowestWall_mps = 1e-4;  ///< slower walls keep their elastic travel
+constexpr int kStrips = 4;                 ///< strips of a wall
+constexpr int kRimPieces = 4;              ///< pieces of each edge of the mouth
 
-/// Removes the part of a force that would drive its point on.
+/// Removes the part of a force that would accelerate its point along its motion.
 Vec3 Opposing(const Vec3& force_W_n, const Vec3& v_W_mps) {
   const double power_w = force_W_n.dot(v_W_mps), v2 = v_W_mps.squaredNorm();
   if (power_w <= 0 || v2 <= kSlowestWall_mps * kSlowestWall_mps) return force_W_n;
   return force_W_n - power_w / v2 * v_W_mps;
 }
 
-/// Ground that a point of the shovel meets beside it.
+/// The ground beside a point of the shovel.
 struct Beside {
-  double depth_m;  ///< of the point below the ground there
+  double depth_m;  ///< depth of the point below that ground
   double x_m, y_m;
 
   Beside(const Vec3& p_W, const Vec3& outward_W, const Columns& ground)
@@ -44,7 +45,7 @@ struct Beside {
   }
 };
 
-/// A strip of a wall that pushes soil, static but for its speed.
+/// Input for a strip of a wall. Cohesion and other soil properties are filled in later.
 CuttingInput PlateOf(double width_m, double rake_rad, double speed_mps) {
   CuttingInput in;
   in.width_m = width_m;
@@ -59,7 +60,7 @@ CuttingInput PlateOf(double width_m, double rake_rad, double speed_mps) {
 ShovelWalls::ShovelWalls(const Shovel& shovel, const std::vector<SoilType>& soils)
     : shovel_(shovel), piercing_(soils, shovel.edge_thickness_m) {}
 
-/// Parts of the cross-section between upright lines that stand equally far apart.
+/// Vertical strips of equal width across the cross-section.
 std::vector<ShovelWalls::Strip> ShovelWalls::SideStrips(const ShovelShape& shape, const Vec3& up_B,
                                                         double y_B) const {
   const ShovelShape::LevelExtent extent = shape.ExtentAcross(up_B);
@@ -85,7 +86,7 @@ std::vector<ShovelWalls::Strip> ShovelWalls::SideStrips(const ShovelShape& shape
   return strips;
 }
 
-/// Across the width, from the lowest to the highest point of those parts of the back that look
+/// Strips across the width, from the lowest to the highest point of the parts of the back that face
 /// sideways.
 std::vector<ShovelWalls::Strip> ShovelWalls::BackStrips(const ShovelShape& shape,
                                                         const Vec3& up_B) const {
@@ -130,7 +131,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
   const double stays = std::max(0.0, 1 - (v_W - out_mps * out_W).norm() * dt_s / length_m);
   *travel_m = std::clamp(stays * *travel_m + out_mps * dt_s, 0.0, kWallElasticTravel_m);
   if (*travel_m == 0) return;
-  // From the wall's own upright, which leans back by the normal's rise, to the level ahead.
+  // Angle from horizontal ahead to the wall; the wall leans back by the rise of its normal.
   const double rake_rad = std::atan2(level, n_W.z());
   double deepest_m = 0;
   for (const Strip& strip : strips) {
@@ -139,7 +140,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     deepest_m = std::max(deepest_m, beside.depth_m);
     if (beside.depth_m <= 0) continue;
     const double height_m = high_W.z() - low_W.z();
-    const Vec3 p_B =  // passive pressure acts on the lower third
+    const Vec3 p_B =  // passive pressure acts at the lower third
         strip.low_B + std::min(1.0, beside.depth_m / height_m) / 3 * (strip.high_B - strip.low_B);
     const Vec3 v_strip_W = PointVelocity(body, p_B);
     const CuttingInput plate = PlateOf(strip.width_m, rake_rad, v_strip_W.dot(out_W));
@@ -153,7 +154,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     };
     const CuttingForce all = push_down_to(0);
     const CuttingForce above = beside.depth_m > height_m ? push_down_to(height_m) : CuttingForce{};
-    // Soil above may be the stronger: it holds nothing back below it.
+    // Stronger soil above does not reduce the force below it.
     if (all.draft_n <= above.draft_n) continue;
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -
                            (all.vertical_n - above.vertical_n) * Vec3::UnitZ();

@@ -9,39 +9,38 @@
 
 namespace tera {
 
-/// Resistance of the ground against a shovel's side walls, its back and the rim of its mouth, where
-/// they are pushed into soil.
+/// Resistance of the ground to the side walls, the back and the rim of a shovel's mouth.
 ///
 /// Frames  W; B frame of the shovel's link.
-/// Model   The side walls, and the part of the back that is too steep to rest on the ground, push
-///         soil before them as plates do. Each upright strip meets the passive pressure of the
-///         ground beside it (CutAhead) between its lowest and its highest point. Along the mouth's
-///         normal a bucket's rim (the side walls' edges and the top edge) is pushed in like a
-///         cutting edge of the same thickness (Piercing). Forces build up over a few millimetres of
-///         travel and hold at rest. They fade as a wall moves on along unpressed soil, and drive no
-///         strip on.
-/// Omits   friction along the walls, side cutters.
-/// Source  see slip_ahead.h.
+/// Model   The side walls push soil like plates. So does the part of the back that is too steep to
+///         rest on the ground. Each vertical strip meets the passive pressure of the ground in
+///         front of it (CutAhead) between its lowest and highest point. The rim of a bucket
+///         consists of the side walls' edges and the top edge. Along the mouth's normal it pierces
+///         soil like a cutting edge of the same thickness (Piercing). Forces build up over a few
+///         millimetres of elastic travel and persist at rest. They fade as a wall slides along to
+///         fresh soil, and never accelerate a strip along its motion.
+/// Omits   Friction along the walls, side cutters.
+/// Source  slip_ahead.h.
 class ShovelWalls {
  public:
-  /// `soils` are those of the ground, as the machine meets them.
+  /// `soils` are the soils of the ground, scaled by the footing of the machine.
   ShovelWalls(const Shovel& shovel, const std::vector<SoilType>& soils);
 
-  /// About the link's origin, over the next `dt_s`.
+  /// Advances by `dt_s` and returns the wrench about the link's origin.
   Wrench Act(const ShovelShape& shape, const BodyState& body, double dt_s,
              const std::vector<SoilType>& soils, Columns* ground);
-  /// The shovel is out of the ground.
+  /// Resets the elastic travel of a shovel out of the ground.
   void Release() { left_m_ = right_m_ = back_m_ = rim_m_ = 0; }
 
  private:
-  /// Upright part of a wall.
+  /// Vertical strip of a wall.
   struct Strip {
     Vec3 low_B, high_B;
     double width_m;
   };
   std::vector<Strip> SideStrips(const ShovelShape& shape, const Vec3& up_B, double y_B) const;
   std::vector<Strip> BackStrips(const ShovelShape& shape, const Vec3& up_B) const;
-  /// `travel_m` is how far the wall has gone into soil elastically.
+  /// `travel_m` is the elastic travel of the wall into the soil.
   void Push(const std::vector<Strip>& strips, const Vec3& normal_B, const BodyState& body,
             double dt_s, const std::vector<SoilType>& soils, double* travel_m, Columns* ground,
             Wrench* wrench) const;

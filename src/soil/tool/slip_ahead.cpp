@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kLast = GroundAhead::kPlaces - 1;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kLeastFrictionAhead = 1e-6;  ///< tangent; a spiral of less is a circle
-constexpr double kLeastSine = 0.02;           ///< of a wedge that a blade can still lift
+/// tangent; with less friction the spiral would become a circle
+constexpr double kLeastFrictionAhead = 1e-6;
+constexpr double kLeastSine = 0.02;  ///< least lifting component of P on a wedge
 constexpr double kTurnStepAhead_rad = 15 * kDeg;
 constexpr double kFlattestRake_rad = 5 * kDeg;
 constexpr int kMostTurns = 8;
@@ -23,17 +24,17 @@ constexpr double kLeastMotion = 1e-9;
 
 double CrossProduct(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The soil between a slip plane and the ground, for each metre of width.
+/// The soil between a slip plane and the ground, per metre of width.
 struct Lifted {
-  double end_m = 0;       ///< where it ends ahead
-  double slope = 0;       ///< of the plane
+  double end_m = 0;       ///< x at which it ends
+  double slope = 0;       ///< slope of the plane
   double weight_npm = 0;  ///< without the soil on the blade
-  double moment_n = 0;    ///< of that about the edge
-  double firm_m = 0;      ///< level length of the plane in firm soil
+  double moment_n = 0;    ///< moment of that weight about the edge
+  double firm_m = 0;      ///< horizontal length of the plane in firm soil
   double flank_npm = 0;   ///< shear on one flank
 };
 
-/// All slip surfaces before one blade.
+/// All slip surfaces in front of one blade.
 class SlipAhead {
  public:
   SlipAhead(const CuttingInput& in, const GroundAhead& ground, const SoilAhead& soil)
@@ -45,7 +46,7 @@ class SlipAhead {
         mean_npm3_(in.density_kgpm3 * kStandardGravity_mps2),
         tan_friction_(std::max(std::tan(in.friction_rad), kLeastFrictionAhead)),
         cos_friction_(1 / std::sqrt(1 + tan_friction_ * tan_friction_)),
-        at_rest_(1 - tan_friction_ * cos_friction_),  // Jaky
+        at_rest_(1 - tan_friction_ * cos_friction_),  // earth pressure coefficient (Jaky)
         up_blade_(-std::cos(in.rake_rad), std::sin(in.rake_rad)),
         push_(std::sin(in.rake_rad + in.tool_friction_rad),
               std::cos(in.rake_rad + in.tool_friction_rad)) {
@@ -57,18 +58,18 @@ class SlipAhead {
   CuttingForce Least();
 
  private:
-  /// Sums over the ground from the edge on: its section, the moment of that, and that of its
-  /// square.
+  /// Integrals over the ground from the edge on: of the height, of x times the height, of the
+  /// squared height.
   struct Sums {
     double m2 = 0, x_m3 = 0, square_m3 = 0;
   };
   struct Firm {
     double m2 = 0, length_m = 0;
   };
-  /// How a spiral turns and grows.
+  /// Turn and growth of a spiral.
   struct Turn {
     double rad, grows;
-    std::complex<double> pole;  ///< for an end at 1
+    std::complex<double> pole;  ///< for a spiral that ends at 1
   };
   void FindSums();
   void FindOnBlade();
@@ -80,7 +81,7 @@ class SlipAhead {
     return {rad, grows, 1.0 / (1.0 - std::polar(grows, rad))};
   }
   Lifted Above(double slope, double end) const;
-  /// Where place `s`, a whole number at a place and in between linear, lies.
+  /// x at the fractional index `s` of the samples, by linear interpolation.
   double XAt_m(double s) const { return Between(ground_.x_m, s); }
   static double Between(const std::array<double, GroundAhead::kPlaces>& of, double s) {
     const int k = std::min(static_cast<int>(s), kLast - 1);
@@ -109,13 +110,15 @@ class SlipAhead {
   double firm_npm3_, loose_npm3_, mean_npm3_, tan_friction_, cos_friction_, at_rest_;
   Vec2 up_blade_, push_;  ///< unit vectors: from the edge up the blade, and along P
   double in_soil_m_ = 0;  ///< length of the blade in the ground
-  double on_blade_npm_ = 0, on_blade_n_ = 0;  ///< weight behind the edge, and its moment about it
+  /// weight behind the edge, and its moment about the edge
+  double on_blade_npm_ = 0, on_blade_n_ = 0;
   std::array<Sums, GroundAhead::kPlaces> sums_;
-  int firm_to_ = 0;  ///< the last place before which nothing lies loose
-  /// Force to slide the loose soil from each place on, and how far it slides.
+  int firm_to_ = 0;  ///< index of the last sample before the first loose soil
+  /// Force that slides the loose soil from each sample on, and x at which the slide ends.
   std::array<double, GroundAhead::kPlaces> slide_npm_{}, slide_to_m_{};
-  std::array<Lifted, GroundAhead::kPlaces> to_;       ///< planes that come out at each place
-  std::array<bool, GroundAhead::kPlaces> is_seen_{};  ///< from the edge through soil alone
+  std::array<Lifted, GroundAhead::kPlaces> to_;  ///< planes that leave the ground at each sample
+  /// the plane to this sample does not leave the ground before it
+  std::array<bool, GroundAhead::kPlaces> is_seen_{};
   int nearest_best_ = 0;
   double least_npm_ = kNever, slope_ = 0, reach_m_ = 0;
 };
@@ -125,7 +128,8 @@ void SlipAhead::FindSums() {
   while (firm_to_ < kLast && ground_.firm_m[firm_to_] >= ground_.top_m[firm_to_]) ++firm_to_;
 }
 
-/// The soil between the blade and the surface, which goes on behind the edge as it lies ahead.
+/// Weight of the soil between blade and surface. Behind the edge the surface continues with the
+/// slope ahead.
 void SlipAhead::FindOnBlade() {
   const double depth_m = ground_.depth_m();
   const double slope = (ground_.top_m[1] - depth_m) / ground_.x_m[1];
@@ -137,8 +141,8 @@ void SlipAhead::FindOnBlade() {
   on_blade_n_ = -mean_npm3_ * back_m * back_m * (depth_m + 2 * end_m) / 6;
 }
 
-/// From the farthest place back: loose soil slides on the firm soil below it, or gives way as
-/// Rankine's wedge, whichever takes less.
+/// From the farthest sample backwards: loose soil slides on the firm soil, or fails as Rankine's
+/// wedge, whichever takes less force.
 void SlipAhead::FindSliding() {
   const double k_p = std::pow((1 + tan_friction_ * cos_friction_) / cos_friction_, 2);
   for (int k = kLast; k >= 0; --k) {
@@ -160,7 +164,7 @@ void SlipAhead::FindSliding() {
   }
 }
 
-/// Sums up to place `end`, with the part of its segment before it.
+/// Integrals up to the fractional index `end`.
 SlipAhead::Sums SlipAhead::SumsTo(double end) const {
   const int k = std::min(static_cast<int>(end), kLast - 1);
   const double from_m = ground_.x_m[k], to_m = XAt_m(end), dx_m = to_m - from_m;
@@ -172,7 +176,7 @@ SlipAhead::Sums SlipAhead::SumsTo(double end) const {
   return sums;
 }
 
-/// Firm soil over a plane of some slope up to place `end`: its section and its level length.
+/// Firm soil above a plane up to the fractional index `end`: area and horizontal length.
 SlipAhead::Firm SlipAhead::FirmAbove(double slope, double end) const {
   Firm firm;
   double x_m = 0, at_m = ground_.firm_m[0];
@@ -188,7 +192,7 @@ SlipAhead::Firm SlipAhead::FirmAbove(double slope, double end) const {
   return firm;
 }
 
-/// Soil over a plane of some slope up to place `end`.
+/// Soil above a plane up to the fractional index `end`.
 Lifted SlipAhead::Above(double slope, double end) const {
   Lifted lifted{.end_m = XAt_m(end), .slope = slope};
   const double x2 = lifted.end_m * lifted.end_m, x3 = x2 * lifted.end_m;
@@ -206,9 +210,10 @@ Lifted SlipAhead::Above(double slope, double end) const {
   return lifted;
 }
 
-/// P for a wedge on a plane, before which soil resists with `pushed_npm`.
+/// P for a wedge on a plane. `pushed_npm` is the resistance of the soil ahead of the wedge.
 double SlipAhead::PlaneForce_npm(const Lifted& lifted, double pushed_npm) const {
-  // All along the normal of the slip plane's reaction, which leans back by the friction.
+  // Components along the normal to the reaction of the slip plane, which is tilted back by the
+  // friction angle.
   const double length = std::sqrt(1 + lifted.slope * lifted.slope);
   const double up = (lifted.slope + tan_friction_) * cos_friction_ / length;
   const double ahead = (1 - lifted.slope * tan_friction_) * cos_friction_ / length;
@@ -220,7 +225,7 @@ double SlipAhead::PlaneForce_npm(const Lifted& lifted, double pushed_npm) const 
                            2 * in_.flank_share * lifted.flank_npm / in_.width_m;
   const double adhesion_npm =
       in_.adhesion_pa * in_soil_m_ * (up_blade_.y() * up + up_blade_.x() * ahead);
-  // Soil comes onto the slip plane at the blade's speed, and leaves along it.
+  // Soil enters the slip plane at the speed of the blade and leaves along it.
   const double lean = up_blade_.y() - lifted.slope * up_blade_.x();
   const double inertia_npm = in_.density_kgpm3 * in_.speed_mps * in_.speed_mps * ground_.depth_m() *
                              up_blade_.y() * length * cos_friction_ / std::max(lean, kLeastSine);
@@ -229,10 +234,10 @@ double SlipAhead::PlaneForce_npm(const Lifted& lifted, double pushed_npm) const 
          lifts;
 }
 
-/// P for a spiral that starts at the edge and ends where a plane does.
+/// P for a spiral from the edge to the end of a plane.
 double SlipAhead::SpiralForce_npm(const Lifted& lifted, const Turn& turn) const {
   const Vec2 end(lifted.end_m, lifted.slope * lifted.end_m);
-  // end - pole = grows times (edge - pole), turned; as complex numbers.
+  // In complex numbers: end - pole is edge - pole, turned and multiplied by `grows`.
   const std::complex<double> pole_c = std::complex<double>(end.x(), end.y()) * turn.pole;
   const Vec2 from(-pole_c.real(), -pole_c.imag()), to = from + end;
   const double low_arm_m = CrossProduct(from + in_soil_m_ / 3 * up_blade_, push_);
@@ -333,7 +338,7 @@ CuttingForce SlipAhead::Least() {
   TrySliding();
   TrySpirals();
   CuttingForce force;
-  // Where friction is so steep that nothing turns about a pole, level ground's force stands.
+  // At very high friction no surface has an equilibrium; the force on level ground is used.
   if (!std::isfinite(least_npm_)) return Cut(in_);
   force.total_n = least_npm_ * in_.width_m;
   force.draft_n = force.total_n * push_.x();

@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// The ground ahead of an edge, in the upright plane along its travel.
+/// The ground ahead of an edge, in the vertical plane along its travel.
 ///
 /// Frames  x ahead of the edge, heights above it.
-/// Model   Surface and top of the firm soil, at places whose spacing grows with their distance.
-///         Right at the edge a shovel leaves no ground. There the nearest line of the ground ahead
-///         continues the surface, up to 25 deg steep.
+/// Model   Heights of the surface and of the firm soil, at positions with growing spacing. At the
+///         edge itself the shovel has removed the ground. There a line fitted to the nearest ground
+///         extrapolates the surface, at up to 25 deg.
 struct GroundAhead {
   static constexpr int kPlaces = 20;
 
@@ -22,36 +22,37 @@ struct GroundAhead {
   double depth_m() const { return top_m[0]; }
 };
 
-/// As it lies from `near_m` ahead of a point on; no farther up than the surface there where that
-/// lies below the point.
+/// Samples the ground from `near_m` ahead of a point. If the surface there lies below the point,
+/// all other values stay zero.
 GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground);
 
-/// Soil ahead of a blade, in addition to its mean in CuttingInput.
+/// Properties of the soil ahead of a blade that CuttingInput does not contain.
 struct SoilAhead {
   double firm_density_kgpm3 = 0, loose_density_kgpm3 = 0;
-  double firm_cohesion_pa = 0;  ///< loose soil has none
-  double blade_m = 0;           ///< the blade's length, from edge to top
-  double carried_npm = 0;       ///< weight for each metre of width that rests on the lifted soil
-  double carried_over_m = 1;    ///< length that it covers at least
+  double firm_cohesion_pa = 0;  ///< loose soil has no cohesion
+  double blade_m = 0;           ///< length of the blade from edge to top
+  double carried_npm = 0;       ///< weight per metre of width on the lifted soil
+  double carried_over_m = 1;    ///< least length over which this weight is spread
 };
 
-/// The force that a blade needs to move the soil ahead: the least over slip surfaces through the
-/// ground as it lies.
+/// Force that a blade needs to move the soil ahead: the least over slip surfaces through the actual
+/// ground.
 ///
 /// Frames  x ahead of the edge, heights above it.
-/// Model   Soil fails where that takes least. The search covers
-///         - planes from the edge to where they first come out of the ground;
-///         - logarithmic spirals from the edge to there, which bulge below those planes, by the
-///           equation of moments of CurvedSlip;
-///         - planes from the edge to the top of the firm soil. The loose soil beyond slides on it
-///           as far as that is cheaper than pushing Rankine's wedge up through it.
-///         Weight, cohesion of the firm soil and shear on the flanks are summed up over upright
-///         slices between slip surface and ground, on the blade as far as it reaches. So a heap
-///         takes no more than sliding it, and a slope no more than there is of it.
-/// Omits   slopes across the travel; several strata of firm soil, which count by their mean
+/// Model   The search covers three kinds of surfaces:
+///         - Planes from the edge to their first exit from the ground.
+///         - Logarithmic spirals between the same points, which bulge below the planes. They follow
+///           the moment equation of curved_slip.h.
+///         - Planes from the edge to the top of the firm soil. The loose soil beyond slides on the
+///           firm soil, as far as this takes less force than Rankine's wedge through it.
+///         Weight, cohesion of the firm soil and shear on the flanks are summed over vertical
+///         slices between slip surface and ground. Soil on the blade counts over the length of the
+///         blade. So a heap needs at most the force that slides it as a whole. A short slope needs
+///         at most the force for its own soil.
+/// Omits   Slopes across the travel. Several strata of firm soil, which count by their mean
 ///         (CutLayers).
 /// Source  Coulomb 1776 (trial wedges); Terzaghi 1943, ch. 7 (spirals); NAVFAC DM 7.01, 1986, ch. 7
-///         (a block on a weak seam and the wedge that resists it).
+///         (block on a weak seam and its resisting wedge).
 CuttingForce CutAhead(const CuttingInput& in, const GroundAhead& ground, const SoilAhead& soil);
 
 }  // namespace tera

@@ -13,22 +13,23 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastUpward = 0.05;  ///< patches facing further up touch no ground
+constexpr double kLeastUpward = 0.05;  ///< patches that face further up touch no ground
 constexpr double kMostUpward = 0.5;    ///< no patch faces further up in the machine's frame
-/// Way over depth by which a face that is pushed into soil mobilises 1 - 1/e of its passive
-/// pressure, nearly all at 6 % (Clough and Duncan 1991: 1 % in dense sand, 4 % in loose).
+/// Displacement over depth at which a pushed face mobilises 1 - 1/e of its passive pressure. At 6 %
+/// it mobilises nearly all. (Clough and Duncan 1991: 1 % in dense sand, 4 % in loose.)
 constexpr double kPassiveShare = 0.02;
-constexpr double kInletShare = 0.1;        ///< of the patch's length: where its inlet ends
-constexpr double kDragLength_m = 0.10;     ///< distance over which rut work is paid back
-constexpr double kDragSpeed_mps = 0.05;    ///< below it the drag fades, so that rest stays rest
+constexpr double kInletShare = 0.1;      ///< length of the inlet of a patch, over the patch length
+constexpr double kDragLength_m = 0.10;   ///< distance over which the drag pays the work on the rut
+constexpr double kDragSpeed_mps = 0.05;  ///< below it the drag fades, so that the gear can rest
 constexpr double kSlowestShoe_mps = 0.01;  ///< slower shoes have no slip ratio
 
-/// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
+/// Index of the patch that lies one patch length from patch k, along `direction` x travel; -1 for
+/// none.
 int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
   const ContactPatch& patch = gear.patches[k];
   const Vec3 wanted = patch.p_B_m + direction * patch.length_m * patch.travel_B;
   int best = -1;
-  double nearest_m = 0.6 * patch.length_m;  // farther is no neighbour
+  double nearest_m = 0.6 * patch.length_m;  // a patch farther away is no neighbour
   for (std::size_t m = 0; m < gear.patches.size(); ++m) {
     const double d = (gear.patches[m].p_B_m - wanted).norm();
     if (SideFaces::IsOne(gear.patches[m]) != SideFaces::IsOne(patch)) continue;
@@ -40,22 +41,22 @@ int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
   return best;
 }
 
-/// Velocity of a patch over the soil at p_W. The soil gives way as a rolling shoe comes down on it,
-/// half-way between the patch's normal and the machine's down. So a raised nose that rolls shears
-/// nothing.
+/// Velocity of a patch relative to the soil at p_W. The soil yields in the direction half-way
+/// between the normal of the patch and the machine's down. So a rolling raised nose causes no
+/// shear.
 Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
   const Vec3 yield_W = foot.n_W - body.X_WB.linear().col(2);
   return v_W - v_W.dot(foot.n_W) / yield_W.dot(foot.n_W) * yield_W;
 }
 
-/// Share of a patch that touches the ground, if it lies there: all of a shoe's underside that faces
-/// down at all.
+/// Share of a patch that touches the ground. A shoe that faces down touches fully; a side face
+/// touches in part.
 double Touching(const ContactPatch& patch, const Footprint& foot) {
   if (SideFaces::IsOne(patch)) return SideFaces::Bearing(-foot.n_W.z());
   return foot.n_W.z() < -kLeastUpward ? 1 : 0;
 }
 
-/// The surface of an obstacle: asphalt's numbers, see config/soils/asphalt.yaml for their sources.
+/// The surface of an obstacle, with the values and sources of config/soils/asphalt.yaml.
 SoilType HardSurface() {
   SoilType hard;
   hard.name = "obstacle";
@@ -67,7 +68,7 @@ SoilType HardSurface() {
   return hard;
 }
 
-/// The ground's soils and, last, the obstacles' material.
+/// The soils of the ground and, as the last one, the material of obstacles.
 std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
   soils.push_back(HardSurface());
   return soils;
@@ -75,22 +76,22 @@ std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
 
 }  // namespace
 
-/// A step of the gear.
+/// Input of one step.
 struct GearContact::Step {
   const BodyState& body;
   double shoe_mps, dt_s;
-  double contact_m;                  ///< length of the ground under the gear before it
-  const std::vector<Patch>& before;  ///< the patches before it
+  double contact_m;                  ///< length of the ground under the gear at the last step
+  const std::vector<Patch>& before;  ///< patches at the last step
   Columns* ground;
 };
 
-/// Answer of the ground under one patch.
+/// Reaction of the ground under one patch.
 struct GearContact::Pressed {
   double normal_n = 0;
   double area_m2 = 0;
   double sinkage_m = 0;
-  Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
-  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of the pressed ground
+  Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times position, for the centre of pressure
+  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of the obstacle below
   const Plate* plate = nullptr;
 
   ShearStrength Strength() const { return plate->Strength(normal_n, area_m2); }
@@ -114,7 +115,7 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
   }
 }
 
-/// Rows of points across a patch, at most about a cell apart.
+/// Rows of points across a patch, about one cell apart at most.
 const std::vector<GearContact::Row>& GearContact::RowsOf(std::size_t patch_index, double cell_m) {
   rows_.resize(gear_.patches.size());
   std::vector<Row>& rows = rows_[patch_index];
@@ -128,8 +129,8 @@ const std::vector<GearContact::Row>& GearContact::RowsOf(std::size_t patch_index
   return rows;
 }
 
-/// Pressure on a grid of points fixed to the patch's part that touches, at most about a cell apart:
-/// as smooth as the ground. `touching` is that part's share.
+/// Pressure on a grid of points of a patch, about one cell apart at most. `touching` is the share
+/// of the patch that touches.
 GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint& foot,
                                        double touching, const BodyState& body,
                                        const Columns& ground, const LowObstacles& obstacles) {
@@ -140,8 +141,8 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint&
   const double area_m2 =
       touching * patch.length_m * patch.width_m / (static_cast<double>(rows.size()) * n_across);
   const double middle_m = SideFaces::IsOne(patch) ? SideFaces::Middle_m(patch, touching) : 0;
-  // Velocity into the ground along the machine's vertical, or its side's normal, which changes
-  // evenly over the patch.
+  // Velocity into the ground along the machine's vertical, or along the normal of a side face. It
+  // varies linearly over the patch.
   const Vec3 up_W = SideFaces::IsOne(patch) ? foot.n_W : Vec3(body.X_WB.linear().col(2));
   const Vec3 into_W = up_W.dot(foot.n_W) * up_W;
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
@@ -193,16 +194,17 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   patch.in_contact = true;
   patch.shear_modulus_m = soil.shear_modulus_m;
   const Vec2 j_m = 0.5 * (patch.j_in_m + patch.j_out_m);
-  // Mean over the patch between its inlet and its outlet, by Simpson's rule.
+  // Mean over the patch from inlet to outlet, by Simpson's rule.
   const Vec2 share =
       (Mobilised(soil, patch.j_in_m) + 4 * Mobilised(soil, j_m) + Mobilised(soil, patch.j_out_m)) /
       6;
   return ShearForce_n(pressed.Strength(), share, j_m.norm(), slip_mps);
 }
 
-/// Force, across, on the side face of a patch that pushes into the soil beside it. It is passive
-/// pressure from the exit of the lifted soil down, whether or not the patch itself bears. A place
-/// beside the gear is pushed by half of it on average. A side that faces down bears by itself.
+/// Lateral force on the side face of a patch that pushes into soil. The passive pressure acts from
+/// the exit of the lifted soil downwards, also if the patch itself does not bear. On average, a
+/// point beside the gear is pushed by half the displacement. A side that faces down bears by
+/// itself.
 double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step& step) {
   const BodyState& body = step.body;
   const ContactPatch& shape = gear_.patches[k];
@@ -251,7 +253,6 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   return result;
 }
 
-/// One patch of a track.
 void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles,
                         GearSum* sum) {
   const BodyState& body = step.body;
@@ -274,7 +275,7 @@ void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obs
   }
 }
 
-/// One patch that bears: its forces, and the soil that its shoes carry away.
+/// Adds the forces of a patch in contact, and moves the soil that its shoes carry.
 void GearContact::Carry(std::size_t k, const Footprint& foot, const Pressed& pressed,
                         const Step& step, GearSum* sum) {
   const BodyState& body = step.body;
@@ -305,7 +306,7 @@ void GearContact::Carry(std::size_t k, const Footprint& foot, const Pressed& pre
   sum->weight_n += pressed.normal_n;
 }
 
-/// The drag by which a moving gear pays for its rut.
+/// Drag by which moving gear pays the work on its rut.
 Vec3 GearContact::PayBack(const Vec3& v_WB_mps, double dt_s) {
   const Vec3 v_W(v_WB_mps.x(), v_WB_mps.y(), 0);
   const Vec3 drag_W_n = -rut_work_j_ / kDragLength_m * v_W / (v_W.norm() + kDragSpeed_mps);

@@ -12,39 +12,41 @@
 
 namespace tera {
 
-/// Track or wheel on the ground: carries, drives, steers, sinks and leaves a rut.
+/// A track or wheel on the ground: it carries, drives, steers, sinks and leaves a rut.
 ///
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
-/// Model   Normal: points fixed to each patch bear elastically, p = s k_e pen, at most Bekker's
-///         pressure at their sinkage; s has peaks under road wheels and the mean 1. The rut below
-///         is Rut's. Damping is a fraction of critical for the mass that the pressure carries,
-///         against motion along the machine's vertical, and the ground never pulls. Tangential:
-///         each patch has a shear displacement j, carried along by the moving shoes: dj/dt = v_slip
-///         - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the ground. Slip is
-///         over the soil, which gives way as a rolling shoe comes down on it, half-way between the
-///         patch's normal and the machine's down, so that raised patches that roll shear nothing.
-///         Stress (c + p tan phi)(1 - exp(-|j|/K)) along j, see terramechanics.h: a spring at rest,
-///         the closed-form thrust at steady slip. Wheels: WheelContact. Sides: a sunk side face
-///         pushed into soil meets passive pressure, mobilised by the way by which a place beside
-///         the gear is pushed. When a leaning machine's track faces down with its side, the side
-///         bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
-///         rather than down, acts as a drag over a short distance. Gear that does not shear the
-///         ground is carried alone: no shear force, no drag. An obstacle low enough for the gear to
-///         climb bears it as pavement does and moves under it with its own velocity. It keeps the
-///         gear off the ground below.
-/// Omits   shear on the sides of grousers, tension of the track.
-/// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces:
-///         Hegedus 1960, see PushedFace.
+/// Model   Normal force: points on each patch bear elastically with p = s k_e pen, where pen is the
+///         penetration. The pressure is at most Bekker's at the sinkage of the point. The factor s
+///         has peaks under road wheels and the mean 1. Rut models the plastic sinkage below.
+///         Damping is a fraction of critical for the mass that the pressure supports. It acts
+///         against motion along the vertical of the machine; the ground never pulls.
+///         Shear: each patch has a shear displacement j that moves with the shoes: dj/dt = v_slip -
+///         v_shoe (j - j_upstream) / length. It is zero where a shoe first meets the ground. Slip
+///         is relative to the soil, which yields under a descending shoe. The soil yields in the
+///         direction half-way between the normal of the patch and the machine's down, so that
+///         rolling raised patches cause no shear. The stress is (c + p tan phi)(1 - exp(-|j|/K))
+///         along j, see terramechanics.h. At rest it acts as a spring; at steady slip it gives the
+///         closed-form thrust. WheelContact models wheels.
+///         Sides: a sunk side face that is pushed into soil meets passive pressure. The pressure
+///         grows with the mean displacement of the soil beside the gear. The side of a track that
+///         leans far enough bears like its shoes, see SideFaces.
+///         Resistance: work on the rut that comes from forward motion acts as a drag over a short
+///         distance. Gear that does not shear the ground is only carried: it has no shear force and
+///         no drag. An obstacle low enough to climb bears the gear like pavement, moves with its
+///         own velocity and covers the ground below.
+/// Omits   Shear on the sides of grousers, tension of the track.
+/// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces: Hegedus 1960, see
+///         PushedFace.
 class GearContact {
  public:
-  /// `soils` are those of the ground, as the machine meets them.
+  /// `soils` are the soils of the ground, scaled by the footing of the machine.
   GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils);
 
   struct Result {
     Wrench wrench;          ///< about the link's origin
     double traction_n = 0;  ///< shear on the shoes along the machine's forward travel
     double sinkage_m = 0;
-    double slip = 0;    ///< 1 - v / (r w), v along the link's x axis where the gear bears
+    double slip = 0;    ///< 1 - v / (r w), with v along the link's x axis at the contact
     double grip_n = 0;  ///< shear strength of the ground under all patches
   };
   Result Act(const BodyState& body, double rate_radps, double dt_s, const LowObstacles& obstacles,
@@ -52,14 +54,14 @@ class GearContact {
 
  private:
   struct Patch {
-    int upstream = -1, downstream = -1;  ///< neighbours against and along the shoes' travel
+    int upstream = -1, downstream = -1;  ///< neighbours against and along the travel of the shoes
     Vec2 j_in_m = Vec2::Zero();          ///< shear displacement where shoes enter the patch
     Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
-    double pushed_m = 0;                 ///< by its side face into the soil beside it, across
+    double pushed_m = 0;                 ///< lateral displacement of its side face into soil
     bool in_contact = false;
     bool is_on_wheel = false;
-    double shear_modulus_m = 0;  ///< of the soil that it last stood on
-    /// Off the ground it keeps the soil between its ribs, and their shear, until it has moved on.
+    double shear_modulus_m = 0;  ///< of the soil of the last contact
+    /// Ends the contact. The soil between the grousers and its shear decay with the distance moved.
     void Lift(double moved_m) {
       in_contact = false;
       const double kept = shear_modulus_m > 0 ? std::exp(-moved_m / shear_modulus_m) : 0;
@@ -71,7 +73,8 @@ class GearContact {
   struct Pressed;
   void ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles, GearSum* sum);
   struct Row {
-    double along_m, share;  ///< from the patch's middle; of its pressure
+    /// position along the patch from its middle; pressure over the mean pressure
+    double along_m, share;
   };
   const std::vector<Row>& RowsOf(std::size_t patch_index, double cell_m);
   Pressed Bear(std::size_t patch_index, const Footprint& foot, double touching,
@@ -88,13 +91,13 @@ class GearContact {
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
   std::vector<Plate> plates_;
-  std::vector<std::vector<Row>> rows_;  ///< of each patch that has borne
+  std::vector<std::vector<Row>> rows_;  ///< for each patch; empty until it first bears
   std::vector<WheelContact> wheels_;
   Rut rut_;
   double contact_m_ = 0;    ///< length of the ground under the gear
-  double forward_mps_ = 0;  ///< mean speed over the ground where it bears
-  double deepest_m_ = 0;    ///< sinkage of its lowest patch
-  double rut_work_j_ = 0;   ///< plastic work still to be paid back as drag
+  double forward_mps_ = 0;  ///< mean speed over the ground at the contact
+  double deepest_m_ = 0;    ///< sinkage of the lowest patch
+  double rut_work_j_ = 0;   ///< plastic work that the drag has not yet paid
 };
 
 }  // namespace tera

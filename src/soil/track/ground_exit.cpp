@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kTouching_m = 1e-6;  ///< shorter ways are along the triangle's normal
+constexpr double kTouching_m = 1e-6;  ///< a shorter way takes the normal of the triangle
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -19,7 +19,7 @@ Vec3 NearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return a + std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) * ab;
 }
 
-/// Nearest point of a triangle: the foot of the perpendicular, or on the nearest side.
+/// Nearest point of a triangle: the foot of the perpendicular, or a point on the nearest side.
 Vec3 NearestOn(const Triangle& t, const Vec3& p) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
   bool inside = true;
@@ -35,7 +35,7 @@ Vec3 NearestOn(const Triangle& t, const Vec3& p) {
   return nearest;
 }
 
-/// The two triangles of a cell, counter-clockwise from above: south-east of the diagonal, then
+/// The two triangles of a cell, counterclockwise from above: south-east of the diagonal, then
 /// north-west.
 std::array<Triangle, 2> TrianglesOf(const Columns& ground, int i, int j) {
   const auto at = [&](int ci, int cj) {
@@ -45,7 +45,7 @@ std::array<Triangle, 2> TrianglesOf(const Columns& ground, int i, int j) {
   return {Triangle{sw, se, ne}, Triangle{sw, ne, nw}};
 }
 
-/// Search of the sheet, cell by cell, for the point nearest to `p`.
+/// Searches the surface cell by cell for the point nearest to `p`.
 class Search {
  public:
   Search(const Columns& ground, const Vec3& p) : ground_(ground), p_(p) {}
@@ -89,7 +89,7 @@ std::optional<GroundExit> FindGroundExit(const Columns& ground, const Vec3& p_W_
   const double h = ground.cell_m();
   const double gx = (p_W_m.x() - ground.x_m(0)) / h, gy = (p_W_m.y() - ground.y_m(0)) / h;
   if (!(gx >= 0 && gy >= 0 && gx < ground.nx() - 1 && gy < ground.ny() - 1)) {
-    // Beyond the border the ground goes on level.
+    // Outside the site the ground continues at the height of the border.
     const double depth_m = ground.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
     if (depth_m <= 0) return std::nullopt;
     return GroundExit{depth_m, Vec3::UnitZ()};
@@ -98,13 +98,13 @@ std::optional<GroundExit> FindGroundExit(const Columns& ground, const Vec3& p_W_
   const double u = gx - ci, v = gy - cj;
   const Triangle above = TrianglesOf(ground, ci, cj)[v > u];
   const Vec3 n = UpwardNormal(above);
-  const double depth_m = n.dot(above[0] - p_W_m) / n.z();  // straight up
+  const double depth_m = n.dot(above[0] - p_W_m) / n.z();  // length of the way straight up
   if (depth_m <= 0) return std::nullopt;
 
   Search search(ground, p_W_m);
   search.Start(depth_m);
   search.LookAt(ci, cj);
-  // Rings of cells around, as long as they can be nearer than the point found.
+  // Visits rings of cells while they can contain a nearer point.
   const double to_next_m = h * std::min({u, 1 - u, v, 1 - v});
   for (int ring = 1;; ++ring) {
     const double away_m = to_next_m + (ring - 1) * h;

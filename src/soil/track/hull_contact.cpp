@@ -12,15 +12,14 @@
 namespace tera {
 namespace {
 
-/// Mass of the machine that has the three figures below. Others have them in proportion: stiffness
-/// and damping to their mass, the corner's width to the cube root of it, as lengths of alike
-/// bodies.
+/// Mass of the machine that has the three values below. Stiffness and damping scale with the mass,
+/// the width of the corner with its cube root.
 constexpr double kReferenceMass_kg = 3500;
-/// A rigid corner 0.15 m across on soil of 5 MPa has E d / (0.88 (1 - nu^2)) = 1e6 N/m. On four
+/// Stiffness E d / (0.88 (1 - nu^2)) of a rigid corner with d = 0.15 m on soil of 5 MPa. On four
 /// points the reference machine sinks 9 mm.
 constexpr double kStiffness_npm = 1e6;
 constexpr double kDamping_nspm = 1.8e4;  ///< about 0.3 of critical for a quarter of the machine
-constexpr double kCorner_m = 0.15;       ///< width of the corner that touches
+constexpr double kCorner_m = 0.15;       ///< width of the touching corner
 constexpr double kFriction = 0.5;        ///< steel on soil
 
 }  // namespace
@@ -39,7 +38,7 @@ void HullContact::Release() {
   sheared_W_m_.setZero();
 }
 
-/// Most force that the ground bears at a point that stands `depth_m` deep in it.
+/// Greatest force that the ground bears at a point `depth_m` deep in it.
 double HullContact::Most_n(const Vec3& p_W, double depth_m, const Columns& ground) const {
   constexpr double kNoLimit_n = std::numeric_limits<double>::infinity();
   const ColumnId k = ground.IdAt(ground.NearestI(p_W.x()), ground.NearestJ(p_W.y()));

@@ -6,26 +6,27 @@
 
 namespace tera {
 
-/// Point of a machine's structure on the ground.
+/// Contact of a point of the machine's structure with the ground.
 ///
 /// Frames  W.
-/// Model   A spring and damper act along the shortest way out of the ground (GroundExit), so that a
-///         pit's wall pushes sliding points sideways. Another spring acts across it and yields
-///         where Coulomb friction is used up. The ground only pushes. The first spring is as long
-///         as the point's own motion into the ground, and at most as the way out: soil heaped over
-///         a point lifts nothing. Springs change by motion against their force, or they shorten. So
-///         the ground never gives more work than it took, however the way out turns. The deeper one
-///         of the ground and a low obstacle bears the point.
-///         Loose soil gives way beyond its bearing capacity under a square footing as wide as the
-///         contact of the point's cone of 1 to 1. So a ridge is ploughed, and a fill bears after
-///         some centimetres. Stiffness and damping are in proportion to the machine's mass, the
-///         contact's width to its cube root: alike machines go in alike.
-/// Omits   any change of the ground, the weight of soil on the structure, the strength of ground
-///         that is not loose.
-/// Source  footing in loose soil: Terzaghi 1943, see BearingPressure_pa.
+/// Model   A spring and damper act along the shortest way out of the ground (GroundExit), so that
+///         the wall of a pit pushes a point sideways. A second spring acts across the way and
+///         yields at the limit of Coulomb friction. The ground only pushes. The first spring is
+///         compressed by the motion of the point into the ground, at most to the length of the way.
+///         So soil heaped over a point does not lift it. A spring becomes longer only by motion
+///         against its force. So the ground returns at most the work that it received, even if the
+///         way turns. If a low obstacle is deeper than the ground, it bears the point instead.
+///         Loose soil yields at its bearing capacity under a square footing. The footing is as wide
+///         as a 1:1 cone at the depth of the point. So a ridge is ploughed, and a fill bears after
+///         some centimetres. Stiffness and damping scale with the mass of the machine, and the
+///         contact width with its cube root. Similar machines then sink in similarly.
+/// Omits   Changes of the ground, weight of soil on the structure, strength limit of soil that is
+///         not loose.
+/// Source  Footing in loose soil: Terzaghi 1943, see BearingPressure_pa.
 class HullContact {
  public:
-  /// `mass_kg` is that of the whole machine; obstacles that rise no more than `climb_m` bear it.
+  /// `mass_kg` is the mass of the whole machine. Obstacles that rise at most `climb_m` bear the
+  /// point.
   HullContact(const GroundTools::HullPoint& point, double mass_kg, double climb_m = 0);
   int link() const { return point_.link; }
   Wrench Act(const BodyState& body, double dt_s, const Columns& ground,
@@ -37,8 +38,8 @@ class HullContact {
 
   GroundTools::HullPoint point_;
   double climb_m_, stiffness_npm_, damping_nspm_, corner_m_;
-  double pressed_m_ = 0;             ///< length of the spring along the way out
-  Vec3 sheared_W_m_ = Vec3::Zero();  ///< of the spring across it
+  double pressed_m_ = 0;             ///< compression of the spring along the way
+  Vec3 sheared_W_m_ = Vec3::Zero();  ///< extension of the spring across the way
 };
 
 }  // namespace tera

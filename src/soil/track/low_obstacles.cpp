@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-constexpr double kMostBeside = 2;  ///< half heights: the foot of the slope at 45 deg
+constexpr double kMostBeside = 2;  ///< in half heights: distance of the foot of the 45 deg slope
 
-/// A box with its upright axis and which way that points.
+/// A box with the index and sign of its most vertical axis.
 struct Standing {
   Standing(const Pose& X_WB, const RigidObstacle::Box& box)
       : X_WG(X_WB * box.X_BG), half_m(0.5 * box.size_m) {
@@ -19,7 +19,7 @@ struct Standing {
     sign = up_G[up] > 0 ? 1 : -1;
   }
 
-  /// Height of its upper face over (x, y), beside it of the slope at its side.
+  /// Height of the upper face at (x, y), or of the slope beside it.
   std::optional<double> TopAt(double x_m, double y_m) const {
     const Vec3 foot_G = X_WG.inverse() * Vec3(x_m, y_m, 0);
     const Vec3 up_G = X_WG.linear().row(2);

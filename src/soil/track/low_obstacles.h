@@ -12,25 +12,25 @@ namespace tera {
 /// Rigid obstacles on the ground, as running gear meets them.
 ///
 /// Frames  W.
-/// Model   Seen from above, a height: that of the boxes' upper faces (a tilted box is a ramp).
-///         Beside them it falls off at 45 deg down to the box's foot. This is as far out as a
-///         sprocket's round end overhangs an edge before it touches it. Seen from within, the
-///         shortest way out of a box by any face but the lowest. Whoever asks says how high it
-///         climbs; obstacles that rise higher are not there.
-/// Omits   that they sink, tilt or slip under running gear.
+/// Model   From above, an obstacle counts as a surface: the upper faces of its boxes. A tilted box
+///         is a ramp. Beside a box the height falls at 45 deg to the foot of the box. The round end
+///         of a sprocket overhangs an edge about as far before it touches. For a point inside a
+///         box, the way out is the shortest one through any face except the lowest. Queries ignore
+///         obstacles that rise higher than the given climb height.
+/// Omits   Obstacles that sink, tilt or slip under running gear.
 class LowObstacles {
  public:
-  /// Adds an obstacle at W's origin; returns its handle.
+  /// Adds an obstacle at the origin of W and returns its handle.
   int Add(const RigidObstacle& obstacle);
   void Move(int handle, const BodyState& carrier);
   bool any() const { return !placed_.empty(); }
 
-  /// Upper side of an obstacle.
+  /// The upper side of an obstacle.
   struct Top {
     double z_m;
-    Vec3 v_W_mps;  ///< of the obstacle there
+    Vec3 v_W_mps;  ///< velocity of the obstacle at this point
   };
-  /// The highest over (x, y) of obstacles that rise no more than `climb_m`.
+  /// The highest obstacle at (x, y) among those that rise at most `climb_m`.
   std::optional<Top> TopAt(double x_m, double y_m, double climb_m) const {
     return climb_m < lowest_rise_m_ ? std::nullopt : HighestAt(x_m, y_m, climb_m);
   }
@@ -39,13 +39,13 @@ class LowObstacles {
     GroundExit way;
     Vec3 v_W_mps;
   };
-  /// The way out of the box that `p_W_m` is deepest in, if it is in one.
+  /// The way out of the box in which `p_W_m` is deepest; empty if it is in none.
   std::optional<Exit> ExitFrom(const Vec3& p_W_m, double climb_m) const;
 
  private:
   struct Placed {
     RigidObstacle obstacle;
-    double reach_m;  ///< farther from its origin nothing stands over the ground
+    double reach_m;  ///< radius about its origin that contains it and its slopes
     BodyState state;
   };
   std::optional<Top> HighestAt(double x_m, double y_m, double climb_m) const;

@@ -10,18 +10,19 @@
 namespace tera {
 namespace {
 
-/// Share of critical damping. A footing as large and heavy as a machine's tracks radiates 0.3 into
-/// the ground (Lysmer and Richart 1966). Hysteresis of soil and shoes has as much (estimate).
+/// Share of critical damping. Half of it is radiation into the ground, for a footing as large and
+/// heavy as the tracks of a machine (Lysmer and Richart 1966). The other half is hysteresis of soil
+/// and shoes (estimate).
 constexpr double kDampingRatio = 0.6;
 
-/// x^n between bounds, for x > 0 and n up to 2. The bits of a positive number are its logarithm to
-/// base 2 with straight lines between the powers of 2. These lie at most 0.0861 below it: powers
-/// are between 2^-0.0861 and 2^(0.0861 n) of the straight lines' values.
+/// Bounds of x^n for x > 0 and n up to 2. The bit pattern of a float is its base-2 logarithm,
+/// linear between powers of 2. The linear value is at most 0.0861 below the logarithm. So x^n lies
+/// between 2^-0.0861 and 2^(0.0861 n) times the linear result.
 struct PowerBounds {
   float low, high;
 };
 PowerBounds RoughPower(float x, float n) {
-  constexpr float kOneBits = 1065353216.0f;  // bits of 1
+  constexpr float kOneBits = 1065353216.0f;  // bit pattern of 1.0f
   constexpr float kLeastBits = 1 << 23, kMostBits = 2139095039.0f;
   constexpr float kRoughLow = 0.94f, kRoughHigh = 0.064f;
   const float bits = kOneBits + n * (static_cast<float>(std::bit_cast<std::int32_t>(x)) - kOneBits);
@@ -43,7 +44,7 @@ Plate::Plate(const SoilType& soil, const ContactPatch& patch)
       modulus_npm_n2_(static_cast<float>(BekkerPressure_pa(soil, width_m_, 1))),
       exponent_(static_cast<float>(soil.sinkage_exponent)) {
   const double one_npm = BulldozingResistance_n(soil, 1, 1);
-  const double two_npm = BulldozingResistance_n(soil, 1, 2);  // 2 a + 4 b, where one is a + b
+  const double two_npm = BulldozingResistance_n(soil, 1, 2);  // 2 a + 4 b, where one_npm is a + b
   pushed_npm3_ = 0.5 * two_npm - one_npm;
   pushed_npm2_ = one_npm - pushed_npm3_;
 }

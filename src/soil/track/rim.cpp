@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-constexpr double kSame = 1e-6;  ///< rounding of places in m and of directions
+constexpr double kSame = 1e-6;  ///< rounding tolerance of positions in m and of directions
 
 double AngleOf_rad(const ContactPatch& patch) {
   return std::atan2(patch.outward_B.x(), -patch.outward_B.z());
@@ -21,7 +21,7 @@ Rim::Point Rim::At(double angle_rad, double across_m, const Pose& X_WB) const {
           X_WB.linear() * Vec3(-c, 0, -s), X_WB.linear().col(1)};
 }
 
-/// The lower of the two places at which an upright line meets the cylinder.
+/// The lower intersection of a vertical line with the cylinder.
 std::optional<Rim::Over> Rim::Above(const Vec2& p_W_m, const Pose& X_WB) const {
   const Mat3 R_WB = X_WB.linear();
   const Vec3 left_W = R_WB.col(1), axle_W_m = X_WB * axle_B_m;

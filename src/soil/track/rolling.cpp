@@ -6,13 +6,15 @@
 namespace tera {
 namespace {
 
-constexpr double kPeakAtNoSlip = 0.40, kPeakWithSlip = 0.15;  ///< c1, c2
-constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;         ///< of g
+/// c1 and c2 of the peak of the stress
+constexpr double kPeakAtNoSlip = 0.40, kPeakWithSlip = 0.15;
+constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;  ///< constants of g for slip
 constexpr double kDugBySkid = 3.5;
-constexpr double kDugOverBearing = 6;     ///< of f
-constexpr double kGrouserShare = 0.5;     ///< of their height, added to K
-constexpr double kLeastEntry_rad = 1e-3;  ///< less is a wheel on ground that does not yield
-constexpr double kLeastShare = 1e-3;      ///< ground below the axle of a wheel that rolls
+constexpr double kDugOverBearing = 6;     ///< ratio f / g
+constexpr double kGrouserShare = 0.5;     ///< share of the grouser height that is added to K
+constexpr double kLeastEntry_rad = 1e-3;  ///< a smaller entry angle means rigid ground
+/// least share, for ground behind the axle of a rolling wheel
+constexpr double kLeastShare = 1e-3;
 
 }  // namespace
 
@@ -45,7 +47,7 @@ double Rolling::ShareAt(const Place& place, double entry_rad, double bearing_sha
 void RollingMemory::Advance(double forward_m, double aside_m, double shoe_m, double length_m) {
   if (length_m <= 0) return;
   const double way_m = std::hypot(forward_m, aside_m);
-  const bool against = forward_m * shoe_m < 0;  // it turns the other way
+  const bool against = forward_m * shoe_m < 0;  // the rim turns against the motion
   const double slip_m = against ? -(way_m + std::abs(shoe_m)) : std::abs(shoe_m) - way_m;
   slipped_ = std::max(-1.0, (slipped_ * length_m + slip_m) / (length_m + way_m));
   const double moved_m = std::abs(shoe_m) > std::abs(forward_m) ? shoe_m : forward_m;

@@ -10,18 +10,19 @@
 namespace tera {
 namespace {
 
-constexpr double kInfluenceDepths = 1.0;  ///< crust thickness over patch width
-constexpr double kMostShare = 2;          ///< PressureShare is nowhere more
-/// Multiples of it, less their whole parts, fill 0 to 1 evenly, however many there are.
+constexpr double kInfluenceDepths = 1.0;  ///< depth of compaction over patch width
+constexpr double kMostShare = 2;          ///< upper bound of PressureShare
+/// The fractional parts of its multiples fill 0 to 1 evenly for any count.
 constexpr double kGolden = 0.6180339887498949;
 constexpr double kScraped_m = 5e-4;  ///< soil is carried away in layers this thick
 
-/// Calls visit(i, j, d_W) for each column under a patch, d_W from the patch's middle, on its plane.
+/// Calls visit(i, j, d_W) for each column under a patch. d_W points from the middle of the patch to
+/// the column, in the plane of the patch.
 template <typename Visit>
 void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Columns& ground,
                      Visit visit) {
   const Vec3& p_W = foot.p_W_m;
-  const Vec2 rise = -foot.n_W.head<2>() / foot.n_W.z();  // of the plane
+  const Vec2 rise = -foot.n_W.head<2>() / foot.n_W.z();  // gradient of the plane
   const Vec2 along = foot.along_W.head<2>() + foot.along_W.z() * rise;
   const Vec2 across = foot.across_W.head<2>() + foot.across_W.z() * rise;
   const Vec3 reach =
@@ -40,9 +41,8 @@ void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Col
   }
 }
 
-/// Share of a patch's pressing that moving forwards may account for. The side face has pushed soil
-/// that comes under the patch from the side. A patch that faces backwards leaves the ground, which
-/// has risen under it by itself.
+/// Share of the pressing work that forward motion may do. Soil that enters from the side is pushed
+/// by the side face. A patch that faces backwards does not press soil by moving forwards.
 double ForwardShare(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
   constexpr double kFlat = 1e-6;
   const double along_mps = v_W.dot(foot.along_W), across_mps = v_W.dot(foot.across_W);
@@ -74,8 +74,8 @@ struct Rut::Under {
   ColumnId id;
   std::size_t patch;
   const Footprint& foot;
-  Vec3 d_W_m;                ///< from the middle of the patch, on its plane
-  double middle_m, width_m;  ///< across, of the touching part of the patch
+  Vec3 d_W_m;                ///< from the middle of the patch, in its plane
+  double middle_m, width_m;  ///< middle and width, across, of the touching part of the patch
   double along_m() const { return d_W_m.dot(foot.along_W); }
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };
@@ -116,8 +116,8 @@ double Rut::Press(std::size_t patch_index, const Footprint& foot, double touchin
   return work_j;
 }
 
-/// Where soil goes that leaves a column: beside the gear, on the nearer side; before a side face
-/// that faces down, on the side to which it faces.
+/// Place of the heave of a column: beside the gear on the nearer side. For a side face that faces
+/// down, it is the side to which it faces.
 Rut::Beside Rut::BesideOf(const Under& column, const Plate& plate, double cell_m) const {
   const Footprint& foot = column.foot;
   const Vec2 p_W_m = (foot.p_W_m + column.d_W_m).head<2>();
@@ -131,8 +131,8 @@ Rut::Beside Rut::BesideOf(const Under& column, const Plate& plate, double cell_m
   return {p_W_m + out_m * out_W, out_W, plate.heave_reach_m()};
 }
 
-/// Width of a patch over that of the columns that stand under it in a row across: 7 or 8 cells of
-/// 4 cm under 0.3 m. All columns of a row together thus take the work of the patch's width.
+/// Width of a patch over the total width of the columns in a row below it. It makes the work of a
+/// row independent of its number of columns, for example 7 or 8 cells of 4 cm under 0.3 m.
 double Rut::RowShare(const Under& column, double cell_m) {
   const double from_middle_m = column.across_m() - column.middle_m;
   const double to_left = (0.5 * column.width_m - from_middle_m) / cell_m;
@@ -141,8 +141,8 @@ double Rut::RowShare(const Under& column, double cell_m) {
   return column.width_m / (count * cell_m);
 }
 
-/// Lets a column give way to a patch that has come `pen_m` into it. Returns the work that the
-/// patch's pressure does not do.
+/// Lets a column yield to a patch with penetration `pen_m`. Returns the work that the pressure of
+/// the patch does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
   const ColumnId k = column.id;
@@ -158,8 +158,7 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   if (plastic_m <= 0) return 0;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
-  // A patch that sinks where it stands presses soil together; one that comes along also pushes it
-  // aside.
+  // A patch that sinks vertically compacts soil; one that moves along also pushes it aside.
   const double forward = ForwardShare(foot, body, v_W);
   const double moved_on =
       forward * (1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0));
@@ -197,7 +196,7 @@ void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,
   ThrowOut(std::copysign(1.0, scraped_m), body, thrown, ground);
 }
 
-/// Puts soil behind the gear's last patch on the ground, in `direction` times travel.
+/// Deposits soil at the end of the contact, in `direction` times travel.
 void Rut::ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown,
                    Columns* ground) {
   std::size_t last = touching_.front();
@@ -226,7 +225,7 @@ void Rut::End(const BodyState& body, double weight_n, Columns* ground) {
   for (const ColumnId k : was_covered_) {
     if (!ground->IsBlocked(k)) free.push_back(k);
   }
-  std::sort(free.begin(), free.end());  // some lay under two patches
+  std::sort(free.begin(), free.end());  // some columns lay under two patches
   free.erase(std::unique(free.begin(), free.end()), free.end());
   for (const ColumnId k : free) {
     tread_.Print(k, body.X_WB, ground);

@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// The strip beside `patch`, `side` 1 to its left, -1 to its right.
+/// The strip beside `patch`; `side` is 1 for left, -1 for right.
 ContactPatch StripBeside(const ContactPatch& patch, double side, double radius_m) {
   const double down = -patch.outward_B.z();
   const double height_m = radius_m * down;
@@ -18,7 +18,7 @@ ContactPatch StripBeside(const ContactPatch& patch, double side, double radius_m
   return strip;
 }
 
-/// A track has a flat run.
+/// A track has a flat run: two successive patches with the same normal.
 bool IsTrack(const RunningGear& gear) {
   return std::any_of(gear.patches.begin() + 1, gear.patches.end(), [&](const ContactPatch& patch) {
     return patch.outward_B == (&patch - 1)->outward_B;

@@ -10,13 +10,13 @@ namespace tera {
 namespace {
 
 constexpr double kPoisson = 0.3;
-constexpr double kLongestPatch = 4;  ///< times its length counts of a patch's width
-constexpr double kShape = 0.88;  ///< rigid square plate, Das, Principles of Foundation Engineering
+constexpr double kLongestPatch = 4;  ///< width of a patch counts up to this many lengths
+constexpr double kShape = 0.88;  ///< rigid square plate: Das, Principles of Foundation Engineering
 
-constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
-constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
-constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
-constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
+constexpr double kShearDampingRatio = 0.7;  ///< share of critical; effective only near rest
+constexpr double kRestSpeed_mps = 0.02;     ///< slip speed at which shear damping falls to half
+constexpr double kLargestShear = 8.0;       ///< limit of |j| in units of K, nearly full strength
+constexpr double kLeastShear_m = 1e-15;     ///< a smaller slip has no direction
 
 double Modulus_npm_n2(const SoilType& soil, double width_m) {
   return soil.k_c_npm_n1 / width_m + soil.k_phi_npm_n2;
@@ -93,9 +93,9 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
   return j_m * (ShearMobilisation(soil, size) / size);
 }
 
-/// The stress has a part along the slip and a part across. The part along loads further by Janosi
-/// or, pointing against the slip, unloads at the initial stiffness. The part across yields to the
-/// slip.
+/// Splits the stress into parts along and across the slip. The part along the slip grows by
+/// Janosi's law. If it points against the slip, it first unloads at the initial stiffness. The part
+/// across decays.
 void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
   const double size_m = slip_m.norm();
   const double limit_m = kLargestShear * soil.shear_modulus_m;

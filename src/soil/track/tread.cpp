@@ -9,13 +9,13 @@
 namespace tera {
 namespace {
 
-/// Share of a wave of that length that means over `width_m` keep.
+/// Amplitude of a wave of `length_m` after averaging over `width_m`.
 double Averaged(double width_m, double length_m) {
   const double half_angle = kPi * width_m / length_m;
   return std::sin(half_angle) / half_angle;
 }
 
-/// Volume that soil at a column's surface takes when it is loose, over what it takes there.
+/// Loose volume over present volume of the soil at the surface of a column.
 double Loosened(const Column& column, const Stratum& bank, const std::vector<SoilType>& soils) {
   const SoilLayer* top = column.top_layer();
   if (top == nullptr) return bank.density_kgpm3 / LooseDensity_kgpm3(soils[bank.soil]);
@@ -37,7 +37,7 @@ void Tread::Print(ColumnId k, const Pose& X_WB, Columns* ground) const {
   const Vec3 p_W(ground->x_m(i), ground->y_m(j), ground->skin(k).top_m);
   const double x_B_m = (X_WB.inverse() * p_W).x();
   const double wave = std::cos(2 * kPi * (x_B_m + travel_m_) / pitch_m_);
-  if (wave >= 0) return;  // a crest gets the soil of troughs
+  if (wave >= 0) return;  // crests get their soil from troughs
 
   const double outward_m = std::copysign(0.5 * pitch_m_, x_B_m - middle_B_m_);
   const Vec3 q_W = p_W + outward_m * X_WB.linear().col(0);
@@ -45,7 +45,8 @@ void Tread::Print(ColumnId k, const Pose& X_WB, Columns* ground) const {
   if (to == Columns::kNone || to == k || ground->IsBlocked(to)) return;
   const auto [to_i, to_j] = ground->PlaceOf(to);
   const Vec3 crest_W(ground->x_m(to_i), ground->y_m(to_j), ground->skin(to).top_m);
-  const double stands_m = (crest_W - p_W).dot(X_WB.linear().col(2));  // above the track's plane
+  // height above the column in the track's plane
+  const double stands_m = (crest_W - p_W).dot(X_WB.linear().col(2));
 
   const double height_m = std::min(height_m_, ground->skin(k).pressed_m);
   const double missing_m = -wave * Averaged(cell_m, pitch_m_) * height_m - stands_m;

@@ -11,15 +11,16 @@ namespace tera {
 namespace {
 
 constexpr double kNodes_rad = 2 * kDeg;
-constexpr double kLeastDown = 0.05;  ///< of its normal: faces further up touch no ground
+/// least downward component of the normal of a face that touches
+constexpr double kLeastDown = 0.05;
 constexpr double kMostEntry_rad = 88 * kDeg;
 constexpr double kSlowest_mps = 1e-6;
 
 }  // namespace
 
-/// A place where the rim is in the ground.
+/// A point of the rim in the ground.
 struct WheelContact::Sample {
-  double pen_m, sinkage_m;  ///< upright
+  double pen_m, sinkage_m;  ///< vertical depth of the rim
   double firmness;
   std::size_t soil;
   Vec3 moving_W_mps;
@@ -30,7 +31,8 @@ struct WheelContact::Sample {
 struct WheelContact::Node {
   Rim::Point middle;
   double normal_n = 0, area_m2 = 0;
-  Vec3 moment_W = Vec3::Zero(), moving_W = Vec3::Zero();  ///< times the normal force
+  /// position and velocity of the ground, times the normal force
+  Vec3 moment_W = Vec3::Zero(), moving_W = Vec3::Zero();
   std::size_t soil = 0;
   double sinkage_m = 0;
 };
@@ -63,7 +65,7 @@ std::size_t WheelContact::StripAt(double across_m) const {
       std::clamp((across_m / rim_.width_m + 0.5) * strips, 0.0, strips - 1));
 }
 
-/// Lets the columns under the rim give way to it.
+/// Lets the columns under the rim yield.
 void WheelContact::PressRut(const BodyState& body, const LowObstacles& obstacles, Columns* ground,
                             Rut* rut) const {
   const Vec3 axle_W_m = body.X_WB * rim_.axle_B_m;
@@ -91,7 +93,7 @@ void WheelContact::PressRut(const BodyState& body, const LowObstacles& obstacles
   }
 }
 
-/// Lets a column give way to the rim over it, whose normal faces `down`.
+/// Lets a column yield to the rim above it. `down` is the downward component of the rim's normal.
 void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec2& left_W,
                         Columns* ground, Rut* rut) const {
   const Plate& plate = plates_[ground->soil_at(k)];
@@ -114,7 +116,8 @@ void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec
              ground);
 }
 
-/// Where the rim enters ground as high as a column beyond the foremost place at which it is in it.
+/// Angle at which the rim enters the ground. The height of the ground is taken one column ahead of
+/// the foremost contact.
 double WheelContact::FindEntry_rad(double front_rad, double across_m, const BodyState& body,
                                    const Columns& ground) const {
   const Rim::Point front = rim_.At(side() * front_rad, across_m, body.X_WB);
@@ -185,7 +188,7 @@ WheelContact::Node WheelContact::Bear(double angle_rad, const BodyState& body,
   return node;
 }
 
-/// Shear at node `k`, and its part of the sum.
+/// Adds the forces at node `k` to the sum.
 void WheelContact::Shear(std::size_t k, const Node& node, double shoe_mps, double dt_s,
                          const BodyState& body, const std::vector<Vec2>& before_m, GearSum* sum) {
   const Vec3 p_W_m = node.moment_W / node.normal_n, origin_W_m = body.X_WB.translation();
@@ -195,7 +198,7 @@ void WheelContact::Shear(std::size_t k, const Node& node, double shoe_mps, doubl
   const ShearStrength strength = plates_[node.soil].Strength(node.normal_n, node.area_m2);
   if (shears_) {
     const double moved = std::min(1.0, std::abs(shoe_mps) * dt_s / (rim_.radius_m * step_rad_));
-    const std::size_t from = shoe_mps >= 0 ? k + 1 : k - 1;  // wraps below the first
+    const std::size_t from = shoe_mps >= 0 ? k + 1 : k - 1;  // wraps below the first node
     const Vec2 entering_m = from < before_m.size() ? before_m[from] : Vec2::Zero();
     Vec2& j_m = j_m_[k];
     j_m += moved * (entering_m - j_m);
@@ -212,12 +215,12 @@ void WheelContact::Shear(std::size_t k, const Node& node, double shoe_mps, doubl
   sum->weight_n += node.normal_n;
   sum->forward_w += node.normal_n * v_W.dot(body.X_WB.linear().col(0));
   sum->contact_m += rim_.radius_m * step_rad_;
-  aside_mps_ += node.normal_n * v_W.dot(body.X_WB.linear().col(1));  // over the weight later
+  aside_mps_ += node.normal_n * v_W.dot(body.X_WB.linear().col(1));  // divided by the weight later
 }
 
-/// Passive pressure on the side that is pushed into soil, down from where the soil that it lifts
-/// comes out. A place beside the wheel is pushed by half of the way on average, hence by tan(slip
-/// angle) of half the contact's length: the share is the slip angle's sine.
+/// Passive pressure on the side that is pushed into soil, from the exit of the lifted soil
+/// downwards. On average, a point beside the wheel is pushed by half the way: by tan(slip angle)
+/// times half the contact length. The pressure has the share sin(slip angle).
 void WheelContact::PushAside(const BodyState& body, double dt_s, const Columns& ground,
                              GearSum* sum) {
   const double length_m = std::max(contact_m_, rim_.radius_m * step_rad_);

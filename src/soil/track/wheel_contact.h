@@ -20,11 +20,11 @@ namespace tera {
 struct GearSum {
   Wrench wrench;          ///< about the link's origin
   double traction_n = 0;  ///< shear along the machine's forward travel
-  double sinkage_m = 0;   ///< of the lowest
+  double sinkage_m = 0;   ///< greatest sinkage of a part
   double grip_n = 0;      ///< shear strength of the ground below
-  double weight_n = 0;    ///< normal forces
-  double forward_w = 0;   ///< times the speed ahead at each
-  double contact_m = 0;   ///< length of the ground under it
+  double weight_n = 0;    ///< sum of the normal forces
+  double forward_w = 0;   ///< sum of normal force times forward speed
+  double contact_m = 0;   ///< length of the ground under the gear
 
   void Add(const GearSum& other) {
     wrench.force_W_n += other.wrench.force_W_n;
@@ -38,27 +38,27 @@ struct GearSum {
   }
 };
 
-/// Depth that counts of a face's lower edge, at p_W_m, below the ground there.
+/// Effective depth of the lower edge of a face at p_W_m below the ground there.
 double DepthBeside_m(const PushedFace& face, const Vec3& p_W_m, const Columns& ground);
 
 /// A rigid wheel on the ground.
 ///
 /// Frames  W; B the frame of the gear's link.
-/// Model   Stresses are integrated around the rim between its entry into the ground and its exit,
-///         at fixed angles, finer than the ground's cells show. The normal stress is elastic, at
-///         most Rolling's. Columns under the rim give way to it. Shear: each angle has a shear
-///         displacement j, carried along by the rim and zero where it enters; slip is over soil at
-///         rest, so that j is Wong and Reece's. Resistance is that of the stresses alone.
-///         Sides: the sunk side that is pushed into soil meets passive pressure on its whole chord,
-///         in proportion to the sine of its slip angle.
-///         An obstacle low enough to be climbed bears it as pavement does.
-/// Omits   soil that it carries out behind it; tyre flexibility; wheels that lean on their sides.
+/// Model   Stresses are integrated over the rim from entry to exit, at fixed angles of 2 deg. The
+///         normal stress is elastic and limited by Rolling. Columns under the rim yield to it.
+///         Shear: each angle has a shear displacement j that moves with the rim and is zero at
+///         entry. Slip is relative to soil at rest, so that j is that of Wong and Reece. Resistance
+///         comes from these stresses alone.
+///         Sides: a sunk side that is pushed into soil meets passive pressure over its whole chord,
+///         scaled by the sine of the slip angle. An obstacle low enough to climb bears like
+///         pavement.
+/// Omits   Soil carried to the rear, flexible tyres, wheels on their sides.
 /// Source  Wong and Reece 1967, J. Terramechanics 4(1); Ishigami, Miwa, Nagatani and Yoshida 2007,
 ///         J. Field Robotics 24(3); the sine: Ishigami 2008, thesis, Tohoku University.
 class WheelContact {
  public:
-  /// `soils` are those of the ground, as the machine meets them, and last that of obstacles; they
-  /// outlive it.
+  /// `soils` are the soils of the ground, scaled by the footing of the machine, and the material of
+  /// obstacles as the last one. They must outlive this object.
   WheelContact(const Rim& rim, const RunningGear& gear, bool shears,
                const std::vector<SoilType>& soils);
 
@@ -88,15 +88,16 @@ class WheelContact {
   double grouser_m_, climb_m_;
   bool shears_;
   std::span<const SoilType> soils_;
-  std::vector<Plate> plates_;                  ///< one for each soil
-  double step_rad_;                            ///< between nodes
-  std::vector<Vec2> j_m_;                      ///< shear displacement at each node
-  std::vector<double> entry_rad_, front_rad_;  ///< of each strip across, to the side it rolls to
+  std::vector<Plate> plates_;  ///< one for each soil
+  double step_rad_;            ///< angle between nodes
+  std::vector<Vec2> j_m_;      ///< shear displacement at each node
+  /// for each strip across, positive in the direction of rolling
+  std::vector<double> entry_rad_, front_rad_;
   RollingMemory memory_;
-  Rolling rolling_;                         ///< of this step
-  double pushed_m_ = 0;                     ///< by its side into the soil beside it, to the left
-  double contact_m_ = 0;                    ///< length of the ground under it
-  double forward_mps_ = 0, aside_mps_ = 0;  ///< over the ground where it bears
+  Rolling rolling_;       ///< slip and skid in this step
+  double pushed_m_ = 0;   ///< lateral displacement of its side into soil, to the left
+  double contact_m_ = 0;  ///< length of the ground under the wheel
+  double forward_mps_ = 0, aside_mps_ = 0;  ///< mean speed over the ground at the contact
   double deepest_m_ = 0;
 };
 

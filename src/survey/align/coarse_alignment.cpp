@@ -12,12 +12,12 @@ namespace tera {
 
 std::optional<Pose> AlignByGicp(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                                 double gate_m, double least_gate_m) {
-  constexpr int kNeighbours = 20;  // points for each covariance of GICP
+  constexpr int kNeighbours = 20;  // points per covariance of GICP
   if (std::min(a_m.size(), b_m.size()) <= static_cast<std::size_t>(kNeighbours)) {
     return std::nullopt;
   }
   pcl::console::setVerbosityLevel(
-      pcl::console::L_ALWAYS);  // PCL's own messages are silenced; the caller reports failures
+      pcl::console::L_ALWAYS);  // silences PCL's messages; the caller reports failures
   constexpr int kSteps = 40;
   constexpr double kEpsilon = 1e-5;
   pcl::GeneralizedIterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ> gicp;

@@ -7,9 +7,10 @@
 
 namespace tera {
 
-/// The pose that brings points B near points A, by PCL's GICP. Gates halve from `gate_m` down to
-/// `least_gate_m`; each search starts from the last pose. Returns nothing if PCL finds too few
-/// partners or does not converge. Coordinates should be small, since PCL computes in floats.
+/// Pose of B in A that aligns B's points with A's, by PCL's GICP. Runs several searches, each from
+/// the result of the last. The largest partner distance is halved from `gate_m` to `least_gate_m`.
+/// Returns nullopt if PCL finds too few partners or does not converge. Coordinates should be small,
+/// because PCL computes in single precision.
 ///
 /// Source  Segal, Haehnel, Thrun 2009, "Generalized-ICP".
 std::optional<Pose> AlignByGicp(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,

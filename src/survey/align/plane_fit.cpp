@@ -49,7 +49,7 @@ Vec6 Derivative(const PlaneFit& fit, const Vec3& p_m, const Vec3& normal) {
   return derivative;
 }
 
-/// Blocks are cubes twice as large as the neighbourhoods of the planes.
+/// Edge of the blocks: twice the size of the neighbourhoods of the planes.
 double BlockEdge_m(const std::vector<Partner>& partners) {
   std::vector<double> radii;
   for (const Partner& partner : partners) radii.push_back(partner.plane->radius_m);
@@ -57,7 +57,7 @@ double BlockEdge_m(const std::vector<Partner>& partners) {
   return std::max(4 * Median(radii), kLeast_m);
 }
 
-/// The larger of two covariances along each direction.
+/// Along each direction, the larger of two covariances.
 Mat6 LargerOf(const Mat6& a, const Mat6& b) {
   constexpr double kFloor = 1e-12;
   const Mat6 base = a + (kFloor * a.trace() + 1e-300) * Mat6::Identity();
@@ -67,12 +67,12 @@ Mat6 LargerOf(const Mat6& a, const Mat6& b) {
   return back * ratios.eigenvalues().cwiseMax(1.0).asDiagonal() * back.transpose();
 }
 
-/// Covariance of the gradient from independent noise of each point: B's by its own residual, A's by
-/// its influence on all planes that contain it.
+/// Covariance of the gradient if the noise of points is independent. The noise of B's points is
+/// their residual. The noise of A's points acts on all planes that contain them.
 Mat6 ScatterOfPoints(const PlaneMap& a, const std::vector<Partner>& partners,
                      const std::vector<double>& weights, const PlaneFit& fit) {
   Mat6 scatter = Mat6::Zero();
-  // The gradient's derivative with respect to each point of A.
+  // Derivative of the gradient with respect to each point of A.
   using ByPlace = Eigen::Matrix<double, 6, 3>;
   std::vector<ByPlace> by_point(a.points_m().size(), ByPlace::Zero());
   for (std::size_t k = 0; k < partners.size(); ++k) {
@@ -90,7 +90,7 @@ Mat6 ScatterOfPoints(const PlaneMap& a, const std::vector<Partner>& partners,
   return scatter;
 }
 
-/// Covariance of the gradient from errors that blocks of neighbours share, whatever their cause.
+/// Covariance of the gradient if points within a block have common errors of any kind.
 Mat6 ScatterOfBlocks(const std::vector<Partner>& partners, const std::vector<double>& weights,
                      const PlaneFit& fit) {
   std::vector<Vec3> at_m;
@@ -152,7 +152,7 @@ PlaneFit FitPlanes(const PlaneMap& a, const std::vector<Vec3>& b_m, double gate_
 }
 
 ToldMotions SplitMotions(const PlaneFit& fit) {
-  // Below this share of the largest information a value is rounding, not geometry.
+  // Information below this fraction of the largest is due to rounding.
   constexpr double kFloor = 1e-6, kLeastSignal = 0.5;
   const double most = Eigen::SelfAdjointEigenSolver<Mat6>(fit.information).eigenvalues()[5];
   const Mat6 floor = std::max(kFloor * most, 1e-12) * Mat6::Identity();

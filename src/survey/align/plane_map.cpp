@@ -7,9 +7,10 @@ namespace tera {
 namespace {
 
 constexpr int kNeighbours = 16;
-/// Flatness: largest variance across a plane, relative to the smaller variance in it.
+/// Flatness limit: largest variance normal to a plane, relative to the smaller variance in the
+/// plane.
 constexpr double kFlat = 0.04;
-/// Breadth: least ratio of the variances in a plane. Narrower neighbourhoods are lines.
+/// Breadth limit: least ratio of the variances in a plane. A narrower neighbourhood is a line.
 constexpr double kBroad = 0.02;
 
 LocalPlane PlaneOf(const std::vector<Vec3>& p_m, const pcl::Indices& neighbours, double radius_m) {
@@ -30,7 +31,7 @@ LocalPlane PlaneOf(const std::vector<Vec3>& p_m, const pcl::Indices& neighbours,
   plane.is_plane = variance[0] <= kFlat * variance[1] && variance[1] > kBroad * variance[2];
   plane.spread_across_m2 = variance[1];
   plane.spread_along_m2 = variance[2];
-  // The plane uses three degrees of freedom.
+  // The fit of the plane uses three degrees of freedom.
   plane.noise_m2 = variance[0] * count / (count - 3);
   plane.points = neighbours;
   return plane;

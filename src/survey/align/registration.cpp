@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr int kMostSteps = 50;
-constexpr double kStill_m = 1e-5;  ///< a step below this ends the search
+constexpr double kStill_m = 1e-5;  ///< a smaller step ends the search
 constexpr int kLeastPartners = 30;
 
 std::vector<Vec3> Moved(const std::vector<Vec3>& p_m, const Pose& X) {
@@ -29,7 +29,7 @@ Vec3 MeanOf(const std::vector<Vec3>& p_m) {
   return sum / static_cast<double>(p_m.size());
 }
 
-/// The pose change of a fit's six motions: a translation, and a rotation about the centre.
+/// Change of pose for a vector of six motions: a translation, and a rotation about the centre.
 Pose MoveOf(const PlaneFit& fit, const Vec6& motion) {
   const Vec3 rotation = motion.tail<3>() / fit.reach_m;
   const double angle = rotation.norm();
@@ -44,7 +44,7 @@ double ShareNear(const PlaneMap& map, const std::vector<Vec3>& p_m, double gate_
   return static_cast<double>(near) / static_cast<double>(p_m.size());
 }
 
-/// Gauss-Newton steps from `X` on. Returns true if they converge.
+/// Performs Gauss-Newton steps from `X`. Returns true if they converge.
 bool Refine(const PlaneMap& a, const std::vector<Vec3>& b_m, double gate_m, Pose* X,
             Registration* result) {
   for (int step = 0; step < kMostSteps; ++step) {
@@ -53,14 +53,14 @@ bool Refine(const PlaneMap& a, const std::vector<Vec3>& b_m, double gate_m, Pose
     const auto told = SplitMotions(fit).told;
     if (told.cols() == 0) return true;
     const Eigen::MatrixXd H = told.transpose() * fit.information * told;
-    // Late steps are shorter, so changing partners do not keep the pose moving.
+    // Later steps are shortened, because a change of partners could otherwise keep the pose moving.
     constexpr int kFullSteps = 15;
     const double length = step < kFullSteps ? 1.0 : kFullSteps / (1.0 + step);
     const Vec6 motion = -length * told * H.ldlt().solve(told.transpose() * fit.gradient);
     *X = MoveOf(fit, motion) * *X;
     X->linear() = Quat(X->linear()).normalized().toRotationMatrix();
     result->steps = step + 1;
-    // A step below a hundredth of the fit's own uncertainty ends the search.
+    // A step below a hundredth of the fit's standard deviation also ends the search.
     constexpr double kOfSigma = 0.01;
     const double sigma_m = fit.residual_m / std::sqrt(static_cast<double>(fit.partners));
     if (motion.norm() < std::max(kStill_m, kOfSigma * sigma_m)) return true;
@@ -68,14 +68,14 @@ bool Refine(const PlaneMap& a, const std::vector<Vec3>& b_m, double gate_m, Pose
   return false;
 }
 
-/// Converts rotations from metres at the reach to radians.
+/// Converts rotations from metres at the distance `reach_m` to radians.
 Mat6 ToRadians(const Mat6& covariance_m2, double reach_m) {
   Vec6 scale = Vec6::Ones();
   scale.tail<3>() /= reach_m;
   return scale.asDiagonal() * covariance_m2 * scale.asDiagonal();
 }
 
-/// The covariance at another point, which a rotation about the centre also moves.
+/// Covariance at another point. A rotation about the centre displaces that point too.
 Mat6 CovarianceAt(const Mat6& of_centre, const Vec3& from_centre_m) {
   Mat6 move = Mat6::Identity();
   // rotation x d = -[d] rotation
@@ -85,14 +85,14 @@ Mat6 CovarianceAt(const Mat6& of_centre, const Vec3& from_centre_m) {
 }
 
 OpenMotion OpenMotionOf(const Vec6& motion, const Registration& of) {
-  constexpr double kTurn = 0.5;  // part of a motion of length 1
+  constexpr double kTurn = 0.5;  // fraction of a motion of length 1
   OpenMotion open;
   open.translation = motion.head<3>();
   open.rotation = motion.tail<3>();
   open.is_turn = open.rotation.norm() > kTurn;
   open.along = (open.is_turn ? open.rotation : open.translation).normalized();
   if (open.is_turn) {
-    // At this point the turn about the centre and the shift of the centre cancel.
+    // At this point, the displacement by the rotation and the translation of the centre cancel.
     const Vec3 turn_radpm = open.rotation / of.reach_m;
     open.through_A_m =
         of.centre_A_m + turn_radpm.cross(open.translation) / turn_radpm.squaredNorm();
@@ -142,7 +142,7 @@ std::array<bool, 6> Registration::ObservedAt(const Vec3& at_A_m) const {
 
 Registration Register(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                       const RegistrationRequest& request) {
-  // Both clouds are centred on A, since PCL computes in floats.
+  // Coordinates are made relative to A's centre, because PCL computes in single precision.
   const Pose X_AM = MakePose(MeanOf(a_m));
   const std::vector<Vec3> a = GroupByVoxel(Moved(a_m, X_AM.inverse()), request.voxel_m).mean_m;
   const std::vector<Vec3> b =

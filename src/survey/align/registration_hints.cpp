@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// A length unit that a file may use instead of metres.
+/// A unit of length that a file may use instead of metres.
 struct LengthUnit {
   const char* name;
   double m;
@@ -40,8 +40,8 @@ double SizeOf(const std::vector<Vec3>& p_m) {
   return (box.high_m - box.low_m).norm();
 }
 
-/// Sum of both overlaps for a meaningful fit, else 0. A floor fits another floor at any similar
-/// scale, so an open result counts only at a very different scale.
+/// Sum of both overlaps; 0 for a fit that means nothing. A floor fits any floor of similar size, so
+/// an open result counts only at a very different scale.
 double FitOf(const Registration& found, double scale) {
   constexpr double kLeastOverlap = 0.5, kFarOff = 0.1;
   const bool is_told = found.status == RegistrationStatus::kRegistered ||
@@ -50,7 +50,7 @@ double FitOf(const Registration& found, double scale) {
   return is_told && more > kLeastOverlap ? found.overlap_of_A + found.overlap_of_B : 0;
 }
 
-/// The unit in which one of the clouds, "A" or "B", fits the other best.
+/// Unit with which cloud "A" or "B" fits the other best.
 struct UnitFit {
   const char* cloud = "";
   LengthUnit unit{};
@@ -59,7 +59,7 @@ struct UnitFit {
 
 std::optional<UnitFit> FindUnit(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                                 const RegistrationRequest& request, const Registration& found) {
-  constexpr double kMostRatio = 20;  // largest ratio between the sizes of a scan and its survey
+  constexpr double kMostRatio = 20;  // largest ratio of the sizes of a scan and its survey
   const double a_size_m = SizeOf(a_m), b_size_m = SizeOf(b_m);
   const auto are_alike = [](double one_m, double other_m) {
     return one_m < kMostRatio * other_m && other_m < kMostRatio * one_m;
@@ -102,7 +102,7 @@ std::vector<std::string> RegistrationHints(const std::vector<Vec3>& a_m,
                                            const std::vector<Vec3>& b_m,
                                            const RegistrationRequest& request,
                                            const Registration& found) {
-  // An open result with a high overlap is a floor on a floor: the clouds are placed.
+  // An open result with a high overlap is a floor on a floor, so the clouds are not far apart.
   constexpr double kMostOfFloor = 0.9;
   std::vector<std::string> hints;
   const bool is_placed = found.status == RegistrationStatus::kRegistered ||

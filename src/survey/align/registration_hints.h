@@ -7,11 +7,11 @@
 
 namespace tera {
 
-/// Sentences that say why two clouds could not be registered. Either one cloud fits at the scale of
-/// another unit, or the clouds lie as far apart as map coordinates do.
+/// Possible reasons why two clouds could not be registered, as sentences. Either a cloud fits after
+/// a change of its unit of length, or the clouds are as far apart as map coordinates are.
 ///
-/// Model   each cloud is scaled from millimetres, centimetres and feet if the two then have similar
-///         sizes, and Register aligns the pair again.
+/// Model   A cloud is converted from millimetres, centimetres and feet. If the sizes of the clouds
+///         are then similar, Register aligns them again.
 std::vector<std::string> RegistrationHints(const std::vector<Vec3>& a_m,
                                            const std::vector<Vec3>& b_m,
                                            const RegistrationRequest& request,

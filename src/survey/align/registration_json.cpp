@@ -30,7 +30,7 @@ Json PoseOf(const Pose& X_AB) {
   return pose;
 }
 
-/// The axes among x, y, z, roll, pitch and yaw that are not observed at `at_A_m`.
+/// Axes among x, y, z, roll, pitch and yaw that are undetermined at `at_A_m`.
 Json NotObserved(const Registration& registration, const Vec3& at_A_m) {
   Json names = Json::array();
   const auto observed = registration.ObservedAt(at_A_m);

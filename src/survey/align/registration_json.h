@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Text of registration.json (docs/reference/survey.md): the pose with its covariance, or the
-/// reason why there is none.
+/// Text of registration.json (docs/reference/survey.md): the pose and its covariance, or the reason
+/// for a failure.
 std::string RegistrationJson(const Registration& registration, const std::string& a,
                              const std::string& b);
 

@@ -20,7 +20,7 @@ std::vector<double> Sorted(const PointCloud& cloud, int axis, std::size_t stride
   return values_m;
 }
 
-/// The least distance between two different values; 0 if all are equal.
+/// Least distance between two different values; 0 if all are equal.
 double LeastDistance(const std::vector<double>& sorted_m) {
   constexpr double kSame_m = 1e-6;
   double least_m = 0;
@@ -31,13 +31,13 @@ double LeastDistance(const std::vector<double>& sorted_m) {
   return least_m;
 }
 
-/// Distance of a float to the next.
+/// Distance from a float to the next.
 double FloatStep_m(double value_m) {
   const float size = std::abs(static_cast<float>(value_m));
   return std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
 }
 
-/// Whether all values are floats, within the file's own rounding.
+/// True if all values are floats, apart from the rounding in the file.
 bool AreFloats(const std::vector<double>& values_m, double rounded_m) {
   const double same_m = 1e-6 + 0.5 * rounded_m;
   return std::all_of(values_m.begin(), values_m.end(), [&](double value_m) {
@@ -45,7 +45,7 @@ bool AreFloats(const std::vector<double>& values_m, double rounded_m) {
   });
 }
 
-/// Whether places in the plane hold more than three points on average.
+/// True if there are more than three points per place in the plane, on average.
 bool SharePlaces(const PointCloud& cloud) {
   constexpr std::size_t kShared = 3;
   std::vector<std::pair<double, double>> places_m;
@@ -55,7 +55,7 @@ bool SharePlaces(const PointCloud& cloud) {
   return cloud.p_m.size() > kShared * static_cast<std::size_t>(end - places_m.begin());
 }
 
-/// The coarser step of x and y if both are single precision or both have few digits.
+/// The coarser resolution of x and y, if both are in single precision or both have few digits.
 std::optional<CoarseSteps> StepsOfDigits(const PointCloud& cloud) {
   constexpr double kLarge_m = 1e5;
   constexpr std::size_t kSample = 20'000;
@@ -70,11 +70,11 @@ std::optional<CoarseSteps> StepsOfDigits(const PointCloud& cloud) {
     if (size_m > kLarge_m && least_m > kFineStep_m && (!few || least_m > few->step_m)) {
       few = {name, least_m, ""};
     }
-    // A sample may miss the least distance between floats.
+    // A sample of the points may miss the least distance, so all points are used.
     if (are_floats && least_m > FloatStep_m(size_m)) {
       least_m = LeastDistance(Sorted(cloud, axis, 1));
     }
-    constexpr double kNear_m = 1e-4;  // floats on a local axis are always closer
+    constexpr double kNear_m = 1e-4;  // floats closer than this result from any local coordinate
     are_single = are_single && are_floats && least_m <= std::max(kNear_m, FloatStep_m(size_m));
     if (!single || FloatStep_m(size_m) > single->step_m) single = {name, FloatStep_m(size_m), ""};
   }

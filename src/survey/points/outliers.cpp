@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Distances of points to their nearest neighbours.
+/// Distances from points to their nearest neighbours.
 class Spacing {
  public:
   Spacing(const PclCloud::Ptr& cloud, int neighbours) : cloud_(cloud), neighbours_(neighbours) {
@@ -29,7 +29,7 @@ class Spacing {
     for (const float square_m2 : squares_m2) sum_m += std::sqrt(square_m2);
     return sum_m / neighbours_;
   }
-  /// Median over about a thousand points.
+  /// Median over about a thousand of the points.
   double Typical(const pcl::Indices& points) const {
     constexpr std::size_t kSample = 1000;
     std::vector<double> means_m;
@@ -50,7 +50,7 @@ class Spacing {
 std::vector<bool> FindOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {
   std::vector<bool> is_outlier(p_m.size(), false);
   const Voxels voxels = GroupByVoxel(p_m, rule.edge_m);
-  // The rule needs more cubes than neighbours.
+  // With fewer cubes than neighbours, there are no outliers.
   if (voxels.count.size() <= static_cast<std::size_t>(rule.neighbours)) return is_outlier;
   const PclCloud::Ptr cloud = ToPcl(voxels.mean_m);
   pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter(true);

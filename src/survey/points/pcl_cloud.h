@@ -11,7 +11,7 @@ namespace tera {
 
 using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// Points as PCL's floats. Coordinates should be small.
+/// Converts points to PCL's single precision. Coordinates should be small.
 inline PclCloud::Ptr ToPcl(const std::vector<Vec3>& p_m) {
   auto cloud = std::make_shared<PclCloud>();
   cloud->reserve(p_m.size());

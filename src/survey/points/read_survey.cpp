@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-/// Advice for a point text file or another raster format: "; ...".
+/// Advice on converting a text file of points or an unsupported raster, in the form "; ...".
 std::string RemedyFor(const std::filesystem::path& file, const std::string& ending) {
   const auto is_of = [&](std::initializer_list<std::string_view> endings) {
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
@@ -56,11 +56,11 @@ Survey ReadRaster(const std::filesystem::path& file) {
   return {std::move(raster.p_m), raster.map, raster.gaps, raster.pixel_m, {}};
 }
 
-/// A point that represents the whole survey.
+/// A point that stands for the whole survey.
 Vec2 SomePlace(const std::vector<Vec3>& p_m) { return p_m[p_m.size() / 2].head<2>(); }
 
-/// The reference system that the file names. If the caller names one, an unreadable system, or one
-/// for another area, counts for nothing.
+/// The coordinate reference system named in the file. If the caller names one, a system in the file
+/// that is unreadable or belongs to another area is ignored.
 std::optional<MapReference> OwnMap(const std::filesystem::path& file, const PointCloud& cloud,
                                    const SurveyReading& how, std::vector<std::string>* warnings) {
   if (cloud.map.empty()) return std::nullopt;

@@ -11,28 +11,30 @@
 
 namespace tera {
 
-/// A survey's points.
+/// Points of a survey.
 ///
-/// Frames  the map plane (east, north, up) if the survey has a map; else the file's own frame.
+/// Frames  Map coordinates (east, north, up) if the survey has a coordinate reference system;
+///         otherwise the frame of the file.
 struct Survey {
   std::vector<Vec3> p_m;
   std::optional<MapReference> map;
-  std::int64_t left_out = 0;    ///< points without coordinates, noise points and raster gaps
-  std::optional<Vec2> pixel_m;  ///< for rasters
+  std::int64_t left_out = 0;  ///< skipped points: without coordinates, marked as noise, or gaps in
+                              ///< a raster
+  std::optional<Vec2> pixel_m;  ///< pixel size of a raster
   std::vector<std::string> warnings;
 };
 
-/// Options for reading a survey.
 struct SurveyReading {
-  std::string map;                ///< reference system for a file that names none that can be read
-  bool is_local = false;          ///< coordinates have no map, whatever the file names
-  double coarsest_step_m = 0.02;  ///< largest acceptable step of the coordinates
+  std::string map;        ///< coordinate reference system if the file names none that can be read
+  bool is_local = false;  ///< treat coordinates as local, even if the file names a reference system
+  double coarsest_step_m = 0.02;  ///< largest accepted resolution of the coordinates
 };
 
 /// Reads .pcd, .ply and .las as point clouds, and .tif and .tiff as elevation rasters.
 ///
-/// Throws  InputError for two reference systems, for coordinates far outside the system's area, and
-///         for coordinate steps (coarse_steps.h) above `coarsest_step_m`.
+/// Throws  InputError if two reference systems are given, if coordinates are far outside the area
+///         of the reference system, or if their resolution (coarse_steps.h) exceeds
+///         `coarsest_step_m`.
 Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how = {});
 
 }  // namespace tera

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Square cells over a survey, row by row from the south, x fastest.
+/// Grid of square cells over a survey, in rows from the south, x fastest.
 struct CellGrid {
   Vec2 low_m = Vec2::Zero();  ///< south-western corner of the first cell
   double cell_m = 1;
@@ -18,7 +18,8 @@ struct CellGrid {
   std::size_t At(int i, int j) const { return static_cast<std::size_t>(j) * nx + i; }
   bool Has(int i, int j) const { return i >= 0 && j >= 0 && i < nx && j < ny; }
   Vec2 MiddleOf(int i, int j) const { return low_m + cell_m * Vec2(i + 0.5, j + 0.5); }
-  /// Column or row of a coordinate. The upper border belongs to the last.
+  /// Column or row that contains a coordinate. A coordinate on the upper border belongs to the last
+  /// one.
   int Column(double x_m) const {
     return std::clamp(static_cast<int>(std::floor((x_m - low_m.x()) / cell_m)), 0, nx - 1);
   }
@@ -28,7 +29,7 @@ struct CellGrid {
   std::size_t CellOf(const Vec3& p_m) const { return At(Column(p_m.x()), Row(p_m.y())); }
 };
 
-/// Cells of `cell_m` that hold all points. The corner is a multiple of `cell_m`.
+/// Grid with cells of `cell_m` that covers all points. Its corner is at a multiple of `cell_m`.
 inline CellGrid GridOver(const std::vector<Vec3>& p_m, double cell_m) {
   Vec2 low_m = p_m.front().head<2>(), high_m = low_m;
   for (const Vec3& p : p_m) {

@@ -13,10 +13,10 @@ namespace tera {
 namespace {
 
 constexpr std::array<double, 7> kSizes_m = {0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0};
-constexpr double kMostCells = 2.5e7;  ///< largest elevation raster that a scenario can read
+constexpr double kMostCells = 2.5e7;  ///< largest elevation raster that a scenario can load
 constexpr double kGoodShare = 0.5, kLeastShare = 0.25;
 
-/// Number of squares of this size that hold points.
+/// Number of squares of this size that contain points.
 std::size_t Occupied(const std::vector<Vec3>& p_m, double size_m) {
   std::vector<std::array<std::int64_t, 2>> squares;
   squares.reserve(p_m.size());
@@ -44,7 +44,7 @@ double CellsOver(const std::vector<Vec3>& p_m, double cell_m) {
   return (cells.x() + 1) * (cells.y() + 1);
 }
 
-/// The finest size with enough points, or 0.
+/// The finest size with sufficient coverage; 0 if there is none.
 double FinestGood_m(const std::vector<Vec3>& p_m) {
   for (const double size_m : kSizes_m) {
     if (CellsOver(p_m, size_m) <= kMostCells && ShareWithPoints(p_m, size_m) >= kGoodShare) {

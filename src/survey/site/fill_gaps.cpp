@@ -13,7 +13,8 @@ namespace {
 constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();
 constexpr std::array<std::array<int, 2>, 4> kSides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// First guess: the mean of the known cells in the smallest block of 2^n by 2^n cells that has any.
+/// Initial guess: the mean of the known cells in the smallest block of 2^n by 2^n cells that
+/// contains any.
 std::vector<float> Guess(int nx, int ny, const std::vector<float>& height_m) {
   bool all_known = true;
   for (const float z : height_m) all_known = all_known && IsKnown(z);
@@ -54,7 +55,7 @@ void FillGaps(const CellGrid& grid, std::vector<float>* height_m) {
   if (unknowns == 0) return;
   TERA_CHECK(static_cast<std::size_t>(unknowns) < grid.size(), unknowns);
   const std::vector<float> guess = Guess(grid.nx, grid.ny, *height_m);
-  // Heights are relative to the first cell, so the tolerance applies to differences.
+  // Heights are relative to the first cell, so that the tolerance applies to height differences.
   const double base_m = guess.front();
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns), start(unknowns);

@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Fills each unknown height (NaN).
+/// Fills every unknown height (NaN). At least one cell must be known.
 ///
-/// Model   a membrane over the gap: Laplace's equation over the unknown cells, with their known
-///         neighbours as boundary. Its slope is zero across the grid's border. A plane around a gap
-///         continues through it. At least one cell must be known.
-/// Source  conjugate gradients, started from coarser grids.
+/// Model   A membrane over the gap: Laplace's equation with the known neighbours as boundary
+///         values. The slope across the border of the grid is zero. If the cells around a gap lie
+///         in a plane, the gap becomes part of the plane.
+/// Source  solved by conjugate gradients, with coarser grids as initial guess.
 void FillGaps(const CellGrid& grid, std::vector<float>* height_m);
 
 }  // namespace tera

@@ -12,7 +12,7 @@ namespace {
 
 double Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Corners, anticlockwise (Andrew's monotone chain).
+/// Corners of the convex hull, counterclockwise (Andrew's monotone chain).
 std::vector<Vec2> ConvexHull(std::vector<Vec2> places_m) {
   std::sort(places_m.begin(), places_m.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -27,7 +27,7 @@ std::vector<Vec2> ConvexHull(std::vector<Vec2> places_m) {
       }
       hull.push_back(*place);
     }
-    if (hull.size() > base + 1) hull.pop_back();  // begins the other half
+    if (hull.size() > base + 1) hull.pop_back();  // first corner of the other half
   };
   half(places_m.begin(), places_m.end());
   half(places_m.rbegin(), places_m.rend());

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_m = 0.5;  ///< between places tried, and between samples of the ground
+constexpr double kStep_m = 0.5;  ///< spacing of candidate places and of ground samples
 
 Vec2 SizeOf(const CellGrid& grid) { return grid.cell_m * Vec2(grid.nx, grid.ny); }
 
@@ -21,8 +21,7 @@ bool IsClear(const SurveySite& site, const Vec2& place_m, double clearance_m) {
   });
 }
 
-/// Height range of the ground around a place. Returns nothing if less than four fifths of it were
-/// measured.
+/// Height range of the ground around a place; nullopt if less than four fifths of it are measured.
 std::optional<double> ReliefAround(const SurveySite& site, const Vec2& place_m, double radius_m) {
   const CellGrid& grid = site.terrain.grid;
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
@@ -54,7 +53,8 @@ void ForPlaces(const CellGrid& grid, Visit visit) {
 }  // namespace
 
 std::optional<Vec2> FindFreePlace(const SurveySite& site, const PlaceNeed& need) {
-  constexpr double kPerMetre = 0.01;  ///< relief that weighs as much as one metre from the middle
+  constexpr double kPerMetre = 0.01;  ///< relief that is equivalent to a distance of one metre from
+                                      ///< the centre
   const Vec2 middle_m = site.terrain.grid.low_m + 0.5 * SizeOf(site.terrain.grid);
   std::optional<Vec2> best;
   double best_cost = std::numeric_limits<double>::infinity();

@@ -6,18 +6,18 @@
 
 namespace tera {
 
-/// Free space that a machine needs.
 struct PlaceNeed {
-  double radius_m = 2.5;       ///< radius of the level, measured ground
-  double clearance_m = 4;      ///< distance from things and the survey's border
-  double most_relief_m = 0.5;  ///< between the highest and the lowest ground of the circle
+  double radius_m = 2.5;       ///< radius of the circle of level, measured ground
+  double clearance_m = 4;      ///< distance from things and from the border of the survey
+  double most_relief_m = 0.5;  ///< largest height difference of the ground in the circle
 };
 
-/// The most level place for a machine, in the site's plane. Distance from the middle decides
-/// between similar places. Returns nothing if no place fits.
+/// The most level place for a machine, in site coordinates. Among similar places, the one closest
+/// to the centre of the site is chosen. Returns nullopt if there is none.
 std::optional<Vec2> FindFreePlace(const SurveySite& site, const PlaceNeed& need);
 
-/// The place for a mast: the measured ground farthest from the middle that is clear of things.
+/// A place for a mast: the point of measured ground that is farthest from the centre of the site
+/// and clear of objects.
 Vec2 FindOverlook(const SurveySite& site);
 
 }  // namespace tera

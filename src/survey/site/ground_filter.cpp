@@ -26,8 +26,8 @@ std::vector<float> LowestOfSquares(const CellGrid& grid, const std::vector<Vec3>
   return lowest_m;
 }
 
-/// Squares that pass the morphological filter. PCL gets places in units of squares, because it
-/// multiplies its windows and the slope threshold by the cell size once more.
+/// Squares that pass the morphological filter. Coordinates are in units of squares, because PCL
+/// multiplies its windows and its slope threshold by the cell size a second time.
 std::vector<bool> Opened(const CellGrid& grid, const std::vector<float>& lowest_m,
                          const GroundRule& rule) {
   auto cloud = std::make_shared<PclCloud>();
@@ -57,10 +57,10 @@ std::vector<bool> Opened(const CellGrid& grid, const std::vector<float>& lowest_
   return is_ground;
 }
 
-/// Grows the ground back over slopes.
+/// Lets the ground grow back up slopes.
 void GrowUpSlopes(const CellGrid& grid, const std::vector<float>& lowest_m, const GroundRule& rule,
                   std::vector<bool>* is_ground) {
-  constexpr int kReach = 2;  // across a square without points
+  constexpr int kReach = 2;  // across one square without points
   std::deque<std::array<int, 2>> edge;
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -76,7 +76,7 @@ void GrowUpSlopes(const CellGrid& grid, const std::vector<float>& lowest_m, cons
         if (!grid.Has(i + di, j + dj)) continue;
         const std::size_t other = grid.At(i + di, j + dj);
         if ((*is_ground)[other] || !IsKnown(lowest_m[other])) continue;
-        // Skips a square only if it has no points.
+        // A square is skipped only if it has no points.
         if ((std::abs(di) > 1 || std::abs(dj) > 1) &&
             IsKnown(lowest_m[grid.At(i + di / 2, j + dj / 2)])) {
           continue;
@@ -90,7 +90,7 @@ void GrowUpSlopes(const CellGrid& grid, const std::vector<float>& lowest_m, cons
   }
 }
 
-/// The highest value of each square and its eight neighbours.
+/// Highest value of each square and its eight neighbours.
 std::vector<float> HighestAround(const CellGrid& grid, const std::vector<float>& height_m) {
   std::vector<float> highest_m(grid.size());
   for (int j = 0; j < grid.ny; ++j) {

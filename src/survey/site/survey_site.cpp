@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kLargestSite_m = 2000;  ///< limit of a scenario
 
-/// An origin near the points, so that floats are exact enough. It is a multiple of 100 m; for a
-/// raster it is a pixel's corner, so cells are pixels.
+/// An origin near the points, for sufficient precision of floats. It is a multiple of 100 m. For a
+/// raster it is the corner of a pixel, so that cells coincide with pixels.
 Vec3 BaseOf(const Survey& survey) {
   constexpr double kStep_m = 100;
   Vec3 sum = Vec3::Zero();
@@ -30,7 +30,8 @@ Vec3 BaseOf(const Survey& survey) {
   return base_m;
 }
 
-/// Refuses a survey that is too large or too small for a site. Returns the middle of its x and y.
+/// Throws InputError for a survey that is too large or too small for a site. Returns the centre of
+/// its x and y.
 Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
   Vec3 low_m = p_m.front(), high_m = low_m;
   for (const Vec3& p : p_m) {
@@ -56,7 +57,7 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
   return 0.5 * (low_m + high_m).head<2>();
 }
 
-/// Refuses a survey without a map that lies far from its origin.
+/// Throws InputError for a survey without a reference system that is far from its origin.
 void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m) {
   if (middle_m.norm() <= kLargestSite_m) return;
   throw InputError(file.string(),
@@ -67,10 +68,11 @@ void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m)
                                 middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
 }
 
-/// Refuses a flat survey that stands upright, such as one with y up.
+/// Throws InputError for a flat survey that is upright, for example with y up.
 ///
-/// Model   A survey is flat if its spread in one direction is less than a quarter of the spread in
-///         any other. The direction must lie within 60 deg of z: work sites are less steep.
+/// Model   A survey is flat if its spread along one direction is less than a quarter of the spread
+///         along any other. This direction must be within 60 deg of z, because work sites are less
+///         steep.
 void RequireUpright(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
   constexpr double kFlat = 0.25, kSteepest_rad = 60 * kDeg;
   Vec3 sum_m = Vec3::Zero();
@@ -102,7 +104,7 @@ std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRul
   return kept_m;
 }
 
-/// Moves a site back to the survey's coordinates.
+/// Moves a site back to the coordinates of the survey.
 void Move(const Vec3& by_m, SurveySite* site) {
   site->terrain.grid.low_m += by_m.head<2>();
   for (float& z : site->terrain.height_m) z = static_cast<float>(z + by_m.z());
@@ -142,7 +144,7 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
                                          : std::nullopt;
   const double cell_m = CellSize(file, p_m, wanted_m);
 
-  // Keeps the filter's windows to about twenty squares.
+  // Limits the windows of the filter to about twenty squares.
   constexpr double kSquares = 20;
   const GroundRule rule = {.square_m = std::max(cell_m, request.largest_thing_m / kSquares),
                            .largest_thing_m = request.largest_thing_m,

@@ -12,36 +12,39 @@
 
 namespace tera {
 
-/// Options for making a site from a survey.
+/// Options for converting a survey to a site.
 struct SiteRequest {
-  std::string map;  ///< reference system for a file that names none that can be read
-  /// Map position of (0, 0, 0) for a survey without a map.
+  std::string map;  ///< coordinate reference system if the file names none that can be read
+  /// Geodetic position of (0, 0, 0) for a survey without a reference system.
   SiteOrigin origin{47.3763, 8.5477, 0};
-  bool about_middle = false;     ///< `origin` is the middle of such a survey, not x = y = 0
-  std::optional<double> cell_m;  ///< edge of the terrain's cells
-  double largest_thing_m = 6;    ///< smaller side of the largest thing that stands on the ground
-  double steepest_rad = 0.79;    ///< steepest rise that counts as ground
-  double gap_m = 0.5;            ///< between two things
+  bool about_middle = false;  ///< `origin` is the centre of such a survey instead of its x = y = 0
+  std::optional<double> cell_m;  ///< edge of the terrain cells; absent: chosen by CellSize
+  double largest_thing_m = 6;  ///< size of the largest thing on the ground, along its shorter side
+  double steepest_rad = 0.79;  ///< steepest slope that counts as ground
+  double gap_m = 0.5;          ///< least distance between two things
 };
 
-/// A survey as a site: its ground and the things on it.
+/// A site made from a survey: its ground and the objects on it.
 ///
-/// Frames  the map plane, with the survey's heights. Without a map: the survey's frame minus
-///         `middle_m`, about SiteRequest::origin, whose height is added.
+/// Frames  Map coordinates with the heights of the survey. Without a reference system: the frame of
+///         the survey minus `middle_m`, with SiteRequest::origin as its origin and its height
+///         added.
 struct SurveySite {
   MapReference map;
-  bool has_map = false;          ///< the survey has a map
-  Vec2 middle_m = Vec2::Zero();  ///< with SiteRequest::about_middle, else zero
+  bool has_map = false;          ///< the survey has a coordinate reference system
+  Vec2 middle_m = Vec2::Zero();  ///< centre of the survey with SiteRequest::about_middle, otherwise
+                                 ///< zero
   std::vector<std::string> warnings;
   SurveyTerrain terrain;
   std::vector<SurveyThing> things;
   std::int64_t points = 0, left_out = 0, outliers = 0, ground_points = 0;
 };
 
-/// Makes a site from a survey, by outliers.h, ground_filter.h, terrain.h and things.h.
+/// Converts a survey to a site, with outliers.h, ground_filter.h, terrain.h and things.h.
 ///
-/// Throws  InputError for a survey longer or wider than 2000 m; for one without a map farther than
-///         that from its origin; for points too sparse for the cells; and if no point is ground.
+/// Throws  InputError for a survey longer or wider than 2000 m. Also for one without a reference
+///         system that is more than 2000 m from its origin, and if points are too sparse for the
+///         cells or no point is ground.
 SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& request);
 
 }  // namespace tera

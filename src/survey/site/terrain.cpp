@@ -9,10 +9,10 @@
 namespace tera {
 namespace {
 
-/// Points of a thing below this height indicate a wall. Ground next to a wall cannot be separated
-/// from it.
+/// A thing with points below this height is a wall down to the ground. The ground next to it cannot
+/// be told from the wall.
 constexpr float kWallFoot_m = 1.0F;
-/// A gap up to twice this width belongs to the surveyed area.
+/// A gap of up to twice this width belongs to the surveyed area.
 constexpr double kSurveyReach_m = 1.0;
 
 std::vector<float> MediansOfGround(const CellGrid& grid, const std::vector<Vec3>& p_m,
@@ -34,7 +34,7 @@ std::vector<float> MediansOfGround(const CellGrid& grid, const std::vector<Vec3>
 }
 
 std::vector<bool> Widened(const CellGrid& grid, const std::vector<bool>& cells, int reach) {
-  // Rows first, then columns: a square around each cell.
+  // First along rows, then along columns, which covers a square around each cell.
   std::vector<bool> rows(grid.size(), false), both(grid.size(), false);
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -53,7 +53,7 @@ std::vector<bool> Widened(const CellGrid& grid, const std::vector<bool>& cells, 
   return both;
 }
 
-/// Cells that connect to the grid's border without crossing the surveyed area.
+/// Cells that are connected to the border of the grid without crossing the surveyed area.
 std::vector<bool> Beyond(const CellGrid& grid, const std::vector<bool>& surveyed) {
   std::vector<bool> beyond(grid.size(), false);
   std::deque<std::array<int, 2>> edge;

@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Cluster of each point, or -1 for none.
+/// Cluster of each point; -1 for none.
 std::vector<int> Cluster(const std::vector<Vec3>& p_m, const ThingRule& rule) {
   const Voxels voxels = GroupByVoxel(p_m, rule.voxel_m);
   const PclCloud::Ptr cloud = ToPcl(voxels.mean_m);

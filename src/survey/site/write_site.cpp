@@ -20,7 +20,7 @@ constexpr std::array<const char*, 4> kSourceNames = {"measured", "filled", "unde
 
 std::string NameOf(std::size_t thing) { return fmt::format("thing_{:03}", thing + 1); }
 
-/// Size of a thing's box, and the height of its middle above the ground at the footprint's middle.
+/// Size of a thing's box, and height of its centre above the ground at the centre of the footprint.
 struct ThingBox {
   Vec3 size_m;
   double middle_m;
@@ -31,7 +31,7 @@ ThingBox BoxOf(const SurveyThing& thing) {
           0.5 * (thing.foot_m + thing.top_m) - thing.ground_m};
 }
 
-/// A box as Wavefront OBJ, in the obstacle's frame, z up.
+/// Wavefront OBJ text of a box in the obstacle's frame, z up.
 std::string BoxMesh(const ThingBox& box) {
   std::string text =
       "# Box of a thing that was surveyed; x along its longer side, z up, metres.\n"
@@ -41,14 +41,14 @@ std::string BoxMesh(const ThingBox& box) {
     const Vec3 at = sign.cwiseProduct(box.size_m) + Vec3(0, 0, box.middle_m);
     text += fmt::format("v {:.4f} {:.4f} {:.4f}\n", at.x(), at.y(), at.z());
   }
-  // Faces are anticlockwise from outside, each with its normal: below, above, and the four sides.
+  // Faces are counterclockwise seen from outside, each with its normal: bottom, top and four sides.
   return text +
          "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 1 0 0\nvn 0 1 0\nvn -1 0 0\n"
          "f 1//1 3//1 4//1 2//1\nf 5//2 6//2 8//2 7//2\nf 1//3 2//3 6//3 5//3\n"
          "f 2//4 4//4 8//4 6//4\nf 4//5 3//5 7//5 8//5\nf 3//6 1//6 5//6 7//6\n";
 }
 
-/// Converts site coordinates to W.
+/// Converts site coordinates to the world frame W.
 struct InW {
   Vec2 xy_m;
   double yaw_rad;
@@ -62,7 +62,7 @@ InW PlaceInW(const SurveySite& site, const SiteOrigin& origin, const Vec2& place
   return {in_W[0], std::atan2(along.y(), along.x())};
 }
 
-/// Spacing of the scenario's soil columns: 5 cm for a machine's tracks, more for a large site.
+/// Spacing of the scenario's soil columns: 5 cm, which resolves tracks, or more for a large site.
 double ColumnSpacing_m(const SurveyTerrain& terrain) {
   constexpr double kMostColumns = 4e6;
   const double area_m2 =
@@ -176,7 +176,7 @@ void WriteSite(const SurveySite& site, const std::string& name, const std::strin
   }
   WriteClasses(folder / "mask.tif", squares, mask,
                "0 measured, 1 filled, 2 under a thing, 3 beyond the survey", site.map);
-  // The origin as a scenario reads it: the raster's middle is W's origin.
+  // A scenario uses the centre of the raster as the origin of W.
   const SiteOrigin origin = ReadElevation(folder / "terrain.tif").origin;
   if (!site.things.empty()) MakeFolder(folder / "things");
   for (std::size_t k = 0; k < site.things.size(); ++k) {

@@ -60,11 +60,11 @@ class StraightDrive : public testing::Test {
     return course;
   }
   WholeSimulation Whole(const std::vector<TruthPose>& of_block) {
-    const BaseLog log = MakeBaseLog(model_, measured_.encoders, of_block, kEvery_s);
+    const BaseLog log = MakeBaseLog(model_, measured_.encoders, of_block, kBaseInterval_s);
     std::vector<DiagnosedBlock> blocks(1);
     blocks[0].block = *MakeBaseBlock(model_, log, "m/base", false);
     return SimulateWhole(
-        input_, measured_, kEvery_s, blocks, std::nullopt,
+        input_, measured_, blocks, std::nullopt,
         [&](const auto&, const auto&, const CourseSpan& span) { return Slower(span); });
   }
 

@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr double kNoise_radps = 0.2 * kDeg;
-constexpr PredictionSteps kSteps = {.step_s = 0.01, .period_s = 0.02};
+constexpr double kPeriod_s = 0.02;
 /// Some of the boom's candidates, for speed.
 constexpr std::string_view kCandidates[] = {"dead_band",    "rate_gain",    "lever_saturation",
                                             "valve_curve",  "actuator_lag", "backlash",
@@ -52,8 +52,8 @@ class Boom : public ::testing::Test {
       moves.push_back({ToSeconds(commands.t_ns[r]), axis_, commands.rows[r].at(column)});
     }
     const PredictedRun run =
-        PredictRun(model_, moves, ToSeconds(commands.t_ns.back()) + 2, start_rad_, kSteps);
-    ReplayBlock block = BlockOf(model_, run, axis_, kSteps.step_s).value();
+        PredictRun(model_, moves, ToSeconds(commands.t_ns.back()) + 2, start_rad_, kPeriod_s);
+    ReplayBlock block = BlockOf(model_, run, axis_).value();
     std::erase_if(block.candidates, [](const Candidate& candidate) {
       return std::find(std::begin(kCandidates), std::end(kCandidates), candidate.mechanism->id) ==
              std::end(kCandidates);
@@ -83,7 +83,7 @@ class Boom : public ::testing::Test {
       moves.push_back({t_s + 2.3, axis_, 0});
       t_s += 3.2;
     }
-    return PredictRun(model_, moves, t_s + 1, start_rad_, kSteps).commands;
+    return PredictRun(model_, moves, t_s + 1, start_rad_, kPeriod_s).commands;
   }
 
   BlockDiagnosis Diagnosed(const ReplayBlock& block) const {
@@ -151,7 +151,7 @@ TEST_F(Boom, StaysWhereTheRecordingShowedThatItCanGo) {
 TEST_F(Boom, ThatHardlyMovedGetsLeversThatWouldShowWhatActs) {
   const std::vector<LeverMove> once = {{2, axis_, 0.5}, {2.6, axis_, 0}};
   const ReplayBlock first =
-      Recorded(PredictRun(model_, once, 30, start_rad_, kSteps).commands, "dead_band", 0.1);
+      Recorded(PredictRun(model_, once, 30, start_rad_, kPeriod_s).commands, "dead_band", 0.1);
   const BlockDiagnosis diagnosis = Diagnosed(first);
   ASSERT_FALSE(diagnosis.is_testable);
   const auto next = Next(first, diagnosis);

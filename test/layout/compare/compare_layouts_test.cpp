@@ -210,8 +210,8 @@ TEST(LayoutComparison, AnotherStudyOverOneCycleIsSaidToBeThat) {
   LayoutReport b = ReportOf("b", {Zeros(5)});
   b.asked_sha256 = "another study";
   EXPECT_THAT([&] { Compare(a, b); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("asked other things"), testing::Not(HasSubstr("moments")))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("different studies or scenarios"),
+                                              testing::Not(HasSubstr("moments")))));
 }
 
 TEST(LayoutComparison, OneMomentDecidesNothing) {

@@ -102,7 +102,7 @@ TEST(PageOfAComparison, SaysInWordsWhichSeesMore) {
       words, Contains(AllOf(StartsWith("rear against front"), HasSubstr("space around the machine"),
                             HasSubstr("better by"), HasSubstr("25.0 percentage points"))));
   EXPECT_THAT(words, Contains(AllOf(HasSubstr("cutting edge"),
-                                    HasSubstr("no difference that this cycle can show"))));
+                                    HasSubstr("not distinguishable over this cycle"))));
   EXPECT_THAT(ComparisonWords({Better(), SampleReport()}), Contains(HasSubstr("worse by")));
   const std::string html = ComparisonPage({SampleReport(), Better()});
   EXPECT_LT(html.find("25.0 percentage points"), html.find("<svg"));
@@ -123,7 +123,7 @@ TEST(PageOfAComparison, AFigureThatIsAbsentIsAGapInTheChartAndIsTold) {
   whole.figures.push_back({{Measure::kLoadSeen, "bucket"}, {0, 0, 0, 0}, {}});
   whole.figures.push_back({{Measure::kElevationGaps}, {0, 0, 0, 0}, {}});
   const std::string all = ComparisonPage({whole, whole});
-  EXPECT_THAT(all, Not(HasSubstr("has no figure of")));
+  EXPECT_THAT(all, Not(HasSubstr("lacks these figures")));
   EXPECT_THAT(OutlineIn(all), Not(HasSubstr("M320 210")));
   EXPECT_THAT(OutlineIn(all), StartsWith("M320.0 135.0L"));  // half of the space, straight up
   EXPECT_THAT(OutlineIn(all), HasSubstr("L320.0 210.0"));    // no load is visible: the worst value
@@ -132,7 +132,7 @@ TEST(PageOfAComparison, AFigureThatIsAbsentIsAGapInTheChartAndIsTold) {
   std::erase_if(without.figures,
                 [](const Figure& f) { return f.id.measure == Measure::kLoadSeen; });
   const std::string html = ComparisonPage({without, without});
-  EXPECT_THAT(html, HasSubstr("front has no figure of: load. The chart has a gap there."));
+  EXPECT_THAT(html, HasSubstr("front lacks these figures: load. The chart has a gap there."));
   EXPECT_THAT(OutlineIn(html), Not(HasSubstr("L320.0 210.0")));
   EXPECT_THAT(OutlineIn(html), HasSubstr("M320 210L"));  // the two sides of the gap
   ExpectWellFormed(html);
@@ -145,7 +145,7 @@ TEST(PageOfAComparison, TheShovelThatDigsIsWhicheverTheMachineHas) {
   other.figures.back().at.assign(4, 1);
   EXPECT_THAT(ComparisonWords({first, other}),
               Contains(StartsWith("rear against front, blade: share of its cutting edge")));
-  EXPECT_THAT(ComparisonPage({first, other}), HasSubstr("front has no figure of: seen by two, "
+  EXPECT_THAT(ComparisonPage({first, other}), HasSubstr("front lacks these figures: seen by two, "
                                                         "crouching person, load, map"));
 }
 
@@ -159,13 +159,14 @@ TEST(PageOfAComparison, SaysLossesAsWellAsGainsAndWhatBothTake) {
   const std::vector<std::string> words = ComparisonWords({first, other});
   EXPECT_THAT(words, Contains(AllOf(StartsWith("rear against front: better in 2 of 8 figures"),
                                     HasSubstr("worse in "),
-                                    HasSubstr(". Worse above all: zone 'truck' seen by 1 or more "
+                                    HasSubstr(". Largest losses: zone 'truck' seen by 1 or more "
                                               "sensors."),
                                     Not(HasSubstr("seen_by_1")))));
-  EXPECT_THAT(words, Contains("rear takes cost unknown (no sensor priced), power 20 W (4 of 4 "
-                              "sensors with a power), 5 MB/s of data as measured; front takes cost "
-                              "4500 (2 of 3 sensors priced), power 8.5 W (1 of 3 sensors with a "
-                              "power), 33.2 MB/s of data as measured."));
+  EXPECT_THAT(words,
+              Contains("Expense of rear: cost unknown (no sensor priced), power 20 W (4 of 4 "
+                       "sensors with a power), 5 MB/s of raw data; of front: cost "
+                       "4500 (2 of 3 sensors priced), power 8.5 W (1 of 3 sensors with a "
+                       "power), 33.2 MB/s of raw data."));
   const std::string html = ComparisonPage({first, other});
   EXPECT_THAT(html, HasSubstr("<li>front: cost 4500 (2 of 3 sensors priced)"));
 }

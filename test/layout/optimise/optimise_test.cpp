@@ -224,8 +224,9 @@ TEST_F(Optimising, ASearchThatCameToItsEndIsNotGoneOnWith) {
   const fs::path search = site_.OneLidar("generations: 1\npopulation: 8\n");
   Run(search, "out");
   const auto before = Files("out");
-  EXPECT_THAT([&] { Run(search, "out", true); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("came to its end"), HasSubstr("out"))));
+  EXPECT_THAT(
+      [&] { Run(search, "out", true); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("holds a finished search"), HasSubstr("out"))));
   EXPECT_EQ(Files("out"), before);
 }
 

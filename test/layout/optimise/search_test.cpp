@@ -210,7 +210,7 @@ TEST_F(Search, BoundsThatAreReversedAreRefused) {
 
 TEST_F(Search, APresetThatDoesNotSeeIsRefused) {
   for (const char* preset : {"xsens_mti_670", "rtk_f9p", "encoder"}) {
-    ExpectRefused("rgb_640", preset, preset, {"preset", "lidar or camera"});
+    ExpectRefused("rgb_640", preset, preset, {"preset", "lidar nor a camera"});
   }
   ExpectRefused("rgb_640", "of_nobody", "of_nobody", {"of_nobody.yaml"});
 }

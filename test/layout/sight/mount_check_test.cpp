@@ -105,7 +105,7 @@ TEST_F(ShippedExcavator, IsToldOfACameraThatIsMovedIntoItsBoom) {
   EXPECT_THAT(WarningsOf(CameraOn("boom", "[0.65, 0.0, 0.25]")),
               ElementsAre(testing::AllOf(HasSubstr("camera: its mount lies"),
                                          HasSubstr("inside excavator1/boom"),
-                                         HasSubstr("move the sensor's xyz_m"))));
+                                         HasSubstr("move its xyz_m"))));
 }
 
 TEST_F(ShippedExcavator, IsToldOfACameraThatIsMovedIntoItsCounterweight) {

@@ -19,7 +19,7 @@ void BagMetadata::Count(std::size_t topic, TimeNs t_ns) {
 std::string QosProfiles(const TopicQuality& quality) {
   constexpr int kKeepLast = 1, kReliable = 1, kBestEffort = 2, kTransientLocal = 1, kVolatile = 2;
   constexpr int kAutomatic = 1;
-  // Infinite duration, as rmw writes it.
+  // An infinite duration in the notation of rmw.
   constexpr const char* kForever = "\n    sec: 9223372036\n    nsec: 854775807\n";
   return fmt::format(
       "- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n  deadline:{}"

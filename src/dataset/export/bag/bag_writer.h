@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// Quality of service of a topic. The history keeps the last `depth` messages.
+/// Quality of service (QoS) of a topic. The history keeps the last `depth` messages.
 struct TopicQuality {
   int depth = 10;
   bool reliable = true;
-  bool latched = false;  ///< also delivered to late subscribers
+  bool latched = false;  ///< a late subscriber receives the last messages
 };
 
 struct Topic {
@@ -21,16 +21,16 @@ struct Topic {
   TopicQuality quality;
 };
 
-/// Writes a bag of ROS messages. All topics are added before the first message; messages come in
-/// order of time.
+/// Writes ROS messages to a bag. All topics are added before the first message. Messages are
+/// written in order of time.
 class BagWriter {
  public:
   virtual ~BagWriter() = default;
 
   virtual ros::WireForm form() const = 0;
-  /// Returns the topic's number, the first argument of Write.
+  /// Returns the topic's number for Write.
   virtual std::size_t AddTopic(const Topic& topic) = 0;
-  /// `t_ns` is at least 0.
+  /// `t_ns` must not be negative.
   virtual void Write(std::size_t topic, TimeNs t_ns, std::string_view message) = 0;
   virtual void Finish() = 0;
 };

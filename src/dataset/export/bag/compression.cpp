@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// zstd level that keeps up with a disk.
+/// A zstd level fast enough for the write speed of a disk.
 constexpr int kZstdLevel = 1;
 
 std::string ByZstd(std::string_view bytes) {

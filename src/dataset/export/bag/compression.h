@@ -7,10 +7,10 @@ namespace tera {
 
 enum class BagCompression { kZstd, kLz4, kNone };
 
-/// "zstd", "lz4", or empty.
+/// "zstd", "lz4", or an empty text for no compression.
 std::string_view NameOf(BagCompression compression);
 
-/// `bytes` as one compressed frame, with a checksum if its readers need one.
+/// Compresses `bytes` to one frame, with a checksum if readers of the format need it.
 ///
 /// Source  RFC 8878 by libzstd; the LZ4 frame format 1.6 by liblz4.
 std::string Compressed(BagCompression compression, std::string_view bytes);

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Appends an integer to `bytes`, low byte first.
+/// Appends an integer to `bytes` with the low byte first.
 template <std::unsigned_integral T>
 void AppendNumber(T value, std::string* bytes) {
   std::array<char, sizeof(T)> parts;
@@ -18,7 +18,7 @@ void AppendNumber(T value, std::string* bytes) {
   bytes->append(parts.data(), parts.size());
 }
 
-/// Appends the text's length in 32 bits, then the text.
+/// Appends the length of the text as a 32-bit number, then the text.
 inline void AppendText(std::string_view text, std::string* bytes) {
   AppendNumber(static_cast<std::uint32_t>(text.size()), bytes);
   bytes->append(text);

@@ -29,7 +29,7 @@ enum Opcode : std::uint8_t {
   kDataEnd = 0x0F
 };
 
-/// The opcode and length before a record's content.
+/// Opcode and length, which precede the content of a record.
 std::string RecordHead(std::uint8_t opcode, std::size_t content_bytes) {
   std::string head;
   AppendNumber(opcode, &head);
@@ -112,7 +112,7 @@ void McapWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view message)
   const auto log_ns = static_cast<std::uint64_t>(t_ns);
   std::string& records = chunk_.records;
   chunk_.places[id].emplace_back(log_ns, records.size());
-  // Large messages go straight into the chunk, without a copy.
+  // The message is copied once, directly into the chunk.
   constexpr std::uint64_t kFieldBytes = 2 + 4 + 8 + 8;
   AppendNumber(static_cast<std::uint8_t>(kMessage), &records);
   AppendNumber(kFieldBytes + message.size(), &records);
@@ -154,7 +154,7 @@ void McapWriter::AppendChunk(const Chunk& chunk) {
   AppendNumber(chunk.crc, &content);
   AppendText(NameOf(compression_), &content);
   AppendNumber(entry.packed_bytes, &content);
-  // Written in pieces, since the last is large.
+  // Written in pieces to avoid a copy of the large last piece.
   Append(RecordHead(kChunk, content.size() + packed.size()));
   Append(content);
   Append(packed);
@@ -235,7 +235,7 @@ void McapWriter::WriteSummary() {
   write_group(kChunkIndex, chunk_indexes);
   const auto offset_start = static_cast<std::uint64_t>(file_.bytes());
   Append(offsets);
-  // The summary's checksum covers the footer up to the checksum itself.
+  // The CRC of the summary covers the footer up to the CRC field.
   constexpr std::uint64_t kFooterBytes = 8 + 8 + 4;
   std::string footer;
   AppendNumber(static_cast<std::uint8_t>(kFooter), &footer);

@@ -15,16 +15,16 @@
 
 namespace tera {
 
-/// Writes an MCAP file of profile `ros2`: messages in compressed chunks, each with an index, and a
-/// summary at the end. The summary has schemas, channels, statistics, the chunk index and offsets.
+/// Writes an MCAP file of profile `ros2`. Messages are in compressed chunks, each with an index.
+/// The summary at the end holds schemas, channels, statistics, chunk indexes and offsets.
 ///
-/// Model   a chunk ends at kChunkBytes and is compressed on another thread while the next ones
-///         fill. Memory holds these chunks, two per thread, and about 40 bytes of index for each
-///         earlier one. CRC-32 of each chunk, of the data and of the summary.
+/// Model   A chunk is complete at kChunkBytes. A worker thread compresses it while the next chunks
+///         are filled. Memory holds up to two such chunks per thread, and about 40 bytes of index
+///         per written chunk. Each chunk, the data section and the summary have a CRC-32.
 /// Source  "MCAP file format specification", mcap.dev, version 0.
 class McapWriter : public BagWriter {
  public:
-  /// Throws InputError if the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, like every other function of the class.
   McapWriter(const std::filesystem::path& file, BagCompression compression, int threads);
 
   ros::WireForm form() const override { return ros::WireForm::kCdr; }
@@ -40,28 +40,28 @@ class McapWriter : public BagWriter {
     std::map<std::uint16_t, std::uint64_t> index_offsets;
     std::uint64_t index_length = 0, packed_bytes = 0, bytes = 0;
   };
-  /// First and last time of a set of messages.
+  /// Times of the first and the last message of a set.
   struct TimeSpan {
     std::uint64_t first_ns = 0, last_ns = 0;
     bool empty = true;
     void Include(std::uint64_t t_ns);
   };
-  /// Messages of one chunk.
+  /// A chunk and its messages.
   struct Chunk {
     std::string records;
     TimeSpan span;
     /// Time and offset of each message, by channel.
     std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> places;
-    // Set when the chunk ends.
+    // The CRC and the compressed records are set when the chunk is complete.
     std::uint32_t crc = 0;
-    std::string packed;  ///< the compressed records, if compressed
+    std::string packed;  ///< compressed records; empty without compression
   };
 
   void Append(std::string_view bytes);
   void AppendRecord(std::uint8_t opcode, std::string_view content);
-  /// Starts the compression of the full chunk.
+  /// Starts the compression of the current chunk.
   void EndChunk();
-  /// Appends the chunk and its index.
+  /// Appends a chunk and its message index to the file.
   void AppendChunk(const Chunk& chunk);
   void WriteSummary();
   std::string Statistics() const;
@@ -69,15 +69,15 @@ class McapWriter : public BagWriter {
 
   CheckedFile file_;
   BagCompression compression_;
-  std::uint32_t crc_ = 0;  ///< since the start of the file or of the summary
+  std::uint32_t crc_ = 0;  ///< running CRC-32 since the start of the file, or of the summary
   std::map<std::string_view, std::uint16_t> schemas_;
   std::string schema_records_, channel_records_;
-  std::vector<std::uint64_t> messages_;  ///< count per channel so far
-  Chunk chunk_;                          ///< current chunk
+  std::vector<std::uint64_t> messages_;  ///< message count by channel
+  Chunk chunk_;                          ///< chunk being filled
   TimeSpan span_;
   std::vector<ChunkEntry> chunks_;
-  bool defined_ = false;    ///< the first chunk has the schemas and channels
-  InOrder<Chunk> packing_;  ///< earlier chunks
+  bool defined_ = false;    ///< schemas and channels are written, in the first chunk
+  InOrder<Chunk> packing_;  ///< complete chunks being compressed
 };
 
 }  // namespace tera

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
 constexpr std::size_t kFirstRecordBytes = 4096;  ///< padded with blanks to this size
-constexpr std::size_t kChunkBytes = 768 * 1024;  ///< rosbag's default
+constexpr std::size_t kChunkBytes = 768 * 1024;  ///< default of rosbag
 
 enum Operation : std::uint8_t {
   kMessageRecord = 0x02,
@@ -20,7 +20,7 @@ enum Operation : std::uint8_t {
   kConnection = 0x07
 };
 
-/// Fields of a record's header: each has a length, then "name=value".
+/// Fields of a record header. Each field is a length and "name=value".
 class Fields {
  public:
   Fields& Text(std::string_view name, std::string_view value) {
@@ -78,7 +78,7 @@ void Ros1BagWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view messa
   TERA_CHECK(t_ns >= 0 && topic < topics_, t_ns, topic);
   const auto connection = static_cast<std::uint32_t>(topic);
   if (chunk_.empty()) {
-    // Every chunk repeats the connections, so it can be read alone.
+    // Every chunk repeats the connections, so a chunk can be read on its own.
     chunk_ = connections_;
     current_.first_ns = t_ns;
   }

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Writes all messages and returns the bag's contents.
+/// Writes all messages and returns the summary of the bag.
 BagMetadata WriteMessages(ExportJob* job, BagWriter* bag) {
   RosTopics topics(job, bag);
   BagMetadata metadata;

@@ -56,7 +56,8 @@ SqliteBagWriter::SqliteBagWriter(const std::filesystem::path& file)
     : database_(std::make_unique<Database>()) {
   database_->file = file;
   database_->Require(sqlite3_open(file.c_str(), &database_->handle));
-  // No journal is needed: the folder gets its name only when the file is complete.
+  // A journal is unnecessary, because the folder gets its final name only when the file is
+  // complete.
   database_->Execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;");
   database_->Execute(kTables);
   database_->insert =

@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// Writes a SQLite 3 file in rosbag2's storage format `sqlite3`, schema version 3: tables topics,
-/// messages, schema and metadata, with an index of times.
+/// Writes a SQLite 3 file for rosbag2's storage plugin `sqlite3`, schema version 3. It has the
+/// tables topics, messages, schema and metadata, and an index on message time.
 ///
 /// Source  ros2/rosbag2, branch humble, rosbag2_storage_default_plugins.
 class SqliteBagWriter : public BagWriter {
  public:
-  /// Throws InputError if the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, like every other function of the class.
   explicit SqliteBagWriter(const std::filesystem::path& file);
   ~SqliteBagWriter() override;
 
@@ -22,7 +22,7 @@ class SqliteBagWriter : public BagWriter {
   std::size_t AddTopic(const Topic& topic) override;
   void Write(std::size_t topic, TimeNs t_ns, std::string_view message) override;
   void Finish() override;
-  /// Adds a row to the table metadata: the text of metadata.yaml. Call before Finish.
+  /// Adds the text of metadata.yaml as a row of the table metadata. Must be called before Finish.
   void AddMetadata(const std::string& yaml);
 
  private:

@@ -59,7 +59,7 @@ std::int32_t Units(double coordinate_m) {
   return static_cast<std::int32_t>(units);
 }
 
-/// A recording with an unknown place has zeros.
+/// False for a recording at an unknown place, whose origin is stored as zeros.
 bool IsOnTheEarth(const DatasetInfo& info) {
   return info.origin_lat_deg != 0 || info.origin_lon_deg != 0 || info.origin_height_m != 0;
 }
@@ -121,14 +121,14 @@ std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   AppendPadded(info.simulated ? "simulation" : "OTHER", 32, &bytes);
   AppendPadded("TERA " + std::string(TeraVersion()), 32, &bytes);
   AppendNumber(std::uint16_t{0},
-               &bytes);  // day and year of creation: the bytes do not depend on the day
+               &bytes);  // day and year of creation; 0, so that equal exports have equal bytes
   AppendNumber(std::uint16_t{0}, &bytes);
   AppendNumber(kHeaderBytes, &bytes);
   AppendNumber(before_points, &bytes);
   AppendNumber(std::uint32_t{1}, &bytes);  // variable length records
   AppendNumber(kPointFormat, &bytes);
   AppendNumber(kPointBytes, &bytes);
-  bytes.append(4 + 5 * 4, '\0');  // counts of LAS 1.2, 0 for this point format
+  bytes.append(4 + 5 * 4, '\0');  // point counts of LAS 1.2; 0 for this point format
   for (int axis = 0; axis < 3; ++axis) AppendDouble(kUnit_m, &bytes);
   for (int axis = 0; axis < 3; ++axis) AppendDouble(0, &bytes);  // offset
   for (int axis = 0; axis < 3; ++axis) {

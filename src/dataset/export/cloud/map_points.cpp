@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// A scan as part of a map.
+/// Encoded points of one scan.
 struct MapPart {
   std::string bytes;
   MapExtent extent;
@@ -21,7 +21,8 @@ MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& 
   MapPart part;
   const LidarScan scan = job.recording.LoadScan(lidar, record.t_ns);
   Pose X_WS = Pose::Identity();
-  std::optional<TimeNs> posed_ns;  // consecutive rays often share a time
+  std::optional<TimeNs> posed_ns;  // time of the last computed pose; consecutive rays often have
+                                   // equal times
   for (const LidarPoint& point : scan.points) {
     const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
     if (posed_ns != t_ns) X_WS = track.At(t_ns);

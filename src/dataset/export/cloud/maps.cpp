@@ -9,7 +9,7 @@
 #include "dataset/export/counted_file.h"
 #include "dataset/export/export_job.h"
 
-// The merged map in point cloud formats.
+// Exports of the merged point cloud.
 
 namespace tera {
 namespace {
@@ -18,7 +18,8 @@ void AppendFloat(double value, std::string* bytes) {
   AppendNumber(std::bit_cast<std::uint32_t>(static_cast<float>(value)), bytes);
 }
 
-/// x y z intensity (float), time in s (double), instance, ring and sensor (16 bits), label (8).
+/// Encodes x y z intensity (float), time in s (double), instance, ring, sensor (16 bits), label (8
+/// bits).
 void AppendPoint(const MapPoint& point, std::string* bytes) {
   for (const double coordinate : point.p_m) AppendFloat(coordinate, bytes);
   AppendFloat(point.intensity, bytes);
@@ -33,7 +34,7 @@ Vec3 InW(const Vec3& p_W_m) { return p_W_m; }
 
 }  // namespace
 
-/// map.pcd: PCD 0.7, binary.
+/// Writes map.pcd: PCD 0.7, binary.
 ///
 /// Source  Point Cloud Library, "The PCD (Point Cloud Data) file format".
 void ExportPcd(ExportJob* job) {
@@ -48,7 +49,7 @@ void ExportPcd(ExportJob* job) {
                   points));
 }
 
-/// map.ply: PLY 1.0, binary little-endian.
+/// Writes map.ply: PLY 1.0, binary little-endian.
 ///
 /// Source  Turk, "The PLY polygon file format", 1994.
 void ExportPly(ExportJob* job) {
@@ -62,7 +63,7 @@ void ExportPly(ExportJob* job) {
       points));
 }
 
-/// map.las: LAS 1.4 (las.h).
+/// Writes map.las: LAS 1.4 (las.h).
 void ExportLas(ExportJob* job) {
   CountedFile file(job->folder / "map.las");
   const DatasetInfo& info = job->recording.info();

@@ -5,16 +5,16 @@
 
 namespace tera {
 
-/// COCO's number of a class: the dataset's number plus one, since readers take 0 for none.
+/// COCO category of a class: the dataset's class number plus one, because readers treat 0 as none.
 int CategoryOf(SemanticClass label);
 
-/// "vehicle", "machine_part", ...
+/// Supercategory, such as "vehicle" or "machine_part".
 const char* SupercategoryOf(SemanticClass label);
 
-/// Whether the class is a thing in COCO's sense. Sky, terrain, dust and rain are stuff.
+/// True if the class is a thing in COCO's terms. Sky, terrain, dust and rain are stuff.
 bool IsThing(SemanticClass label);
 
-/// The list `categories`: things only, or all classes for panoptic labels.
+/// Values of the key `categories`: things only, or all classes for panoptic labels.
 OrderedJson ThingCategories();
 OrderedJson PanopticCategories();
 

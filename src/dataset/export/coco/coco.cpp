@@ -25,19 +25,20 @@
 namespace tera {
 namespace {
 
-/// A segment of a panoptic picture. Segments of a picture share no pixel.
+/// A segment of a panoptic image. Each pixel belongs to exactly one segment.
 struct PanopticSegment {
   SemanticClass label = SemanticClass::kSky;
-  std::uint16_t instance = 0;  ///< 0: all pixels of a class without an object
+  std::uint16_t instance = 0;  ///< 0 for the pixels of a class that belong to no object
   PixelBounds bounds;
   std::int64_t area_px = 0;
 };
 
-/// The segments of a picture by their numbers, and the picture of numbers as red + 256 green +
+/// Segments of an image by number, and the image that encodes the numbers as red + 256 green +
 /// 65536 blue.
 ///
-/// Model   a part of a machine is a segment with the number of its instance. Pixels without an
-///         instance form one segment per class, numbered 65536 (class + 1). No pixel is void.
+/// Model   An object or machine part is a segment with the number of its instance. Pixels without
+///         an instance form one segment per class, with the number 65536 (class + 1). No pixel is
+///         void.
 /// Source  COCO, "Panoptic segmentation" of its data format.
 struct PanopticPicture {
   Image<std::uint8_t> rgb;
@@ -48,7 +49,7 @@ std::uint32_t SegmentNumber(std::uint16_t instance, std::uint8_t label) {
   return instance != 0 ? instance : (label + 1u) << 16;
 }
 
-/// The segment with this number, created at its first pixel.
+/// The segment with this number. It is created at its first pixel.
 PanopticSegment& SegmentAt(std::uint32_t number, std::uint16_t instance, std::uint8_t label,
                            const InstanceTable& table, const std::filesystem::path& file,
                            PanopticPicture* picture) {
@@ -61,7 +62,7 @@ PanopticSegment& SegmentAt(std::uint32_t number, std::uint16_t instance, std::ui
   return place->second;
 }
 
-/// Throws InputError about `file`, the picture of instances, if an object is not in the table.
+/// Throws InputError that names `file`, the instance image, if an object is not in the table.
 PanopticPicture PanopticOf(const LabelledFrame& frame, const InstanceTable& table,
                            const std::filesystem::path& file) {
   PanopticPicture picture;
@@ -134,7 +135,7 @@ OrderedJson ImageJson(std::int64_t id, const ExportJob& job, const std::string& 
   return image;
 }
 
-/// Adds the 3-D data of a recorded box.
+/// Adds the 3D data of a recorded box to an annotation.
 void AddBox(const ObjectBox& box, OrderedJson* annotation) {
   const Vec3 &p = box.X_CO.translation(), &size = box.size_O_m;
   const Quat q = UnitQuaternion(box.X_CO);
@@ -144,22 +145,22 @@ void AddBox(const ObjectBox& box, OrderedJson* annotation) {
                              {"size_O_m", {size.x(), size.y(), size.z()}}};
 }
 
-/// An object of an image. Its number and its key point category are assigned on writing.
+/// Annotation of an object. Its number and its key point category are assigned when it is written.
 struct ObjectAnnotation {
   OrderedJson json;
   std::optional<ObjectBox> box;  ///< set if it has key points
 };
 
-/// An image's entries in the annotation files.
+/// Entries of one image in the annotation files.
 struct ImageAnnotations {
   TimeNs t_ns = 0;
   std::string camera;
-  bool was_written = false;  ///< its pictures exist already
+  bool was_written = false;  ///< its image files already exist
   std::vector<ObjectAnnotation> objects;
   OrderedJson segments;
 };
 
-/// The annotation files and the numbering of their entries.
+/// The annotation files; assigns numbers to their entries.
 class CocoFiles {
  public:
   explicit CocoFiles(ExportJob* job)
@@ -194,7 +195,7 @@ class CocoFiles {
     keypoints_.BeginList("annotations");
   }
 
-  /// Writes an image's pictures unless they exist. Runs on any thread.
+  /// Writes the files of an image unless they exist. Thread-safe.
   ImageAnnotations WritePictures(const std::string& camera, TimeNs t_ns, bool was_written) const {
     const LabelledFrame frame = LoadLabels(job_->recording, camera, t_ns);
     const fs::path rgb = FrameFile(job_->recording, camera, "rgb", t_ns);
@@ -209,7 +210,6 @@ class CocoFiles {
     return {t_ns, camera, was_written, Objects(frame, instances), Segments(picture)};
   }
 
-  /// Adds the next image.
   void Add(ImageAnnotations image) {
     ++image_;
     for (ObjectAnnotation& object : image.objects) {
@@ -297,10 +297,10 @@ class CocoFiles {
 
 }  // namespace
 
-/// Writes images/CAMERA_<t_ns>.png, annotations/instances.json with a mask of each object,
-/// annotations/keypoints.json if objects have key points, and annotations/panoptic.json with the
-/// pictures annotations/panoptic/CAMERA_<t_ns>.png. It covers the cameras with colour, classes and
-/// instances.
+/// Exports all cameras that have colour, class and instance images. Writes
+/// images/CAMERA_<t_ns>.png, annotations/instances.json with the mask of each object, and
+/// annotations/keypoints.json if objects have key points. Also writes annotations/panoptic.json
+/// with the images annotations/panoptic/CAMERA_<t_ns>.png.
 ///
 /// Source  COCO, "Data format": object and keypoint detection and panoptic segmentation; Lin et al.
 ///         2014, "Microsoft COCO: Common objects in context"; Kirillov et al. 2019, "Panoptic

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 17> kPersonPoints = {
     "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist", "left_hip",
     "right_hip",      "left_knee",  "right_knee",  "left_ankle", "right_ankle"};
 
-/// COCO's lines between pairs of points, counted from 1.
+/// Skeleton of COCO: pairs of points joined by lines, counted from 1.
 constexpr std::array<std::pair<int, int>, 19> kPersonSkeleton = {{{16, 14},
                                                                   {14, 12},
                                                                   {17, 15},

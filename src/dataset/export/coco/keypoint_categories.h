@@ -8,18 +8,18 @@
 
 namespace tera {
 
-/// Kinds of key points, each a COCO category.
+/// Categories of objects with key points.
 ///
-/// Model   persons with COCO's 17 points have the category `person` of the other files, with their
-///         points in COCO's order. Objects of a class with other point names or another order get
-///         their own category, "vehicle_1" and on, numbered from 1001.
+/// Model   A person with the 17 COCO points gets the category `person` of the other files; its
+///         points are sorted as COCO sorts them. Any other combination of class, point names and
+///         their order is a category of its own, such as "vehicle_1". These are numbered from 1001.
 /// Source  COCO, "Keypoint detection" of its data format.
 class KeypointCategories {
  public:
-  /// Adds `category_id`, `keypoints` and `num_keypoints` to an object's annotation: x, y and v of
-  /// each point. v is 2 for visible, 1 for hidden, 0 (with x, y 0) for points outside the picture.
+  /// Adds `category_id`, `keypoints` and `num_keypoints` to the annotation of an object. A key
+  /// point has x, y and v: v = 2 if visible, 1 if hidden, 0 (with x = y = 0) outside the image.
   void Annotate(const ObjectBox& box, OrderedJson* annotation);
-  /// The list `categories` of all used categories.
+  /// Value of the key `categories`, with all categories used so far.
   OrderedJson Json() const;
   bool empty() const { return categories_.empty(); }
 

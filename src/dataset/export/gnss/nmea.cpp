@@ -17,10 +17,10 @@
 namespace tera {
 namespace {
 
-/// A receiver's file, and its pair with another receiver if there is one.
+/// Output file of a receiver, and its antenna pair if it has one.
 struct Receiver {
   std::unique_ptr<CheckedFile> file;
-  std::optional<AntennaPair> pair;  ///< for the first of the two
+  std::optional<AntennaPair> pair;  ///< set for the first receiver of the pair
   std::size_t second = 0;
   GnssSample last;
   bool measured = false;
@@ -48,21 +48,21 @@ bool HasFixAt(const Receiver& receiver, TimeNs t_ns) {
   return receiver.measured && receiver.last.t_ns == t_ns && receiver.last.fix != GnssFix::kNone;
 }
 
-/// Appends the heading when both receivers of a pair have measured at this time.
+/// Appends a heading sentence once both receivers of a pair have a fix at this time.
 void AppendHeading(TimeNs t_ns, std::vector<Receiver>* receivers) {
   for (Receiver& first : *receivers) {
     if (!first.pair) continue;
     const Receiver& second = (*receivers)[first.second];
     if (!HasFixAt(first, t_ns) || !HasFixAt(second, t_ns)) continue;
     first.file->Append(Hdt(first.pair->Heading_rad(first.last, second.last)));
-    first.measured = false;  // prevents a repetition
+    first.measured = false;  // prevents a second heading for this time
   }
 }
 
 }  // namespace
 
-/// Writes MACHINE/RECEIVER.nmea with GGA and RMC for each sample, and GST for each fix. The first
-/// of a machine's two receivers also has HDT.
+/// Writes MACHINE/RECEIVER.nmea. Each sample gives GGA and RMC; each fix also gives GST. The first
+/// receiver of an antenna pair also gives HDT.
 void ExportNmea(ExportJob* job) {
   const std::vector<std::string> paths = job->recording.ChannelsOf(kGnssChannel);
   RequireAny(paths, *job, "GNSS receiver");

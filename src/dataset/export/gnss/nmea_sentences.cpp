@@ -27,8 +27,8 @@ std::string Date(TimeNs utc_ns) {
   return fmt::format("{:02}{:02}{:02}", t.day, t.month, t.year % 100);
 }
 
-/// Degrees and minutes with seven decimals, 0.2 mm, and the hemisphere. Integer arithmetic, so that
-/// minutes never round to 60.
+/// Degrees and minutes with seven decimals (0.2 mm), and the hemisphere. Integer arithmetic
+/// prevents minutes that are rounded to 60.
 std::string Angle(double angle_deg, int degree_digits, char positive, char negative) {
   constexpr std::int64_t kUnitsPerMinute = 10'000'000, kUnitsPerDegree = 60 * kUnitsPerMinute;
   const std::int64_t units = std::llround(std::abs(angle_deg) * kUnitsPerDegree);
@@ -83,7 +83,8 @@ std::string Rmc(TimeNs utc_ns, const GnssSample& s) {
 std::string Gst(TimeNs utc_ns, const GnssSample& s) {
   const Vec3 sigma_m = s.variance_enu_m2.cwiseSqrt();
   const double east_m = sigma_m.x(), north_m = sigma_m.y();
-  const double orientation_deg = east_m > north_m ? 90 : 0;  // longer axis, from north
+  const double orientation_deg = east_m > north_m ? 90 : 0;  // orientation of the error ellipse's
+                                                             // longer axis, from north
   return NmeaSentence(fmt::format("GNGST,{},,{:.4f},{:.4f},{:.1f},{:.4f},{:.4f},{:.4f}",
                                   TimeOfDay(utc_ns), std::max(east_m, north_m),
                                   std::min(east_m, north_m), orientation_deg, north_m, east_m,

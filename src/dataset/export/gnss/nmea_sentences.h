@@ -5,23 +5,23 @@
 
 #include "core/types/measurement.h"
 
-/// Sentences of NMEA 0183, each with its checksum and line end. Fields that a recording lacks
-/// (satellites, dilution, speed and course of the receiver) are empty.
+/// NMEA 0183 sentences with checksum and line end. Fields that a recording lacks are empty:
+/// satellites, dilution of precision, speed and course.
 ///
-/// Omits   the geoid: GGA's altitude is above the ellipsoid and the separation is 0. Readers add
-///         the two to the ellipsoidal height.
+/// Omits   the geoid. The altitude in GGA is the ellipsoidal height, with a geoid separation of 0,
+///         so the sum that readers form is correct.
 /// Source  NMEA 0183 4.11 as gpsd's "NMEA Revealed" describes it.
 
 namespace tera {
 
-/// "$BODY*HH\r\n": HH is the exclusive or of the body's bytes.
+/// "$BODY*HH\r\n", where HH is the exclusive or of the bytes of the body.
 std::string NmeaSentence(std::string_view body);
 
-/// Without a fix: time and quality 0.
+/// A sample without a fix gives only the time and quality 0.
 std::string Gga(TimeNs utc_ns, const GnssSample& sample);
-/// Status V without a fix.
+/// A sample without a fix gives status V.
 std::string Rmc(TimeNs utc_ns, const GnssSample& sample);
-/// Standard deviations of a sample with a fix.
+/// Standard deviations of the position. The sample must have a fix.
 std::string Gst(TimeNs utc_ns, const GnssSample& sample);
 /// True heading, clockwise from north.
 std::string Hdt(double heading_rad);

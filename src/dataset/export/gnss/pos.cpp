@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// RTKLIB's number of a fix quality.
+/// RTKLIB's number for a fix quality.
 int QualityOf(GnssFix fix) {
   switch (fix) {
     case GnssFix::kRtkFixed:
@@ -55,8 +55,8 @@ std::string Line(TimeNs utc_ns, const GnssSample& s) {
 
 }  // namespace
 
-/// Writes MACHINE/RECEIVER.pos: a line for each sample with a fix. A recording lacks covariances,
-/// satellites, age and ratio; these are 0, RTKLIB's value for unknown.
+/// Writes MACHINE/RECEIVER.pos with one line per sample that has a fix. Covariances, satellites,
+/// age and ratio are not recorded; they are 0, which means unknown in RTKLIB.
 ///
 /// Source  RTKLIB 2.4.2 manual, appendix B.1, "Positioning solution file".
 void ExportPos(ExportJob* job) {

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Channels of the stream; at equal times the scan comes first.
+/// Index of the lidar in the stream. It is first, so at equal times the scan precedes the image.
 constexpr std::size_t kLidar = 0;
 
 }  // namespace

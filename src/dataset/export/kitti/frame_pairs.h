@@ -6,19 +6,20 @@
 
 namespace tera {
 
-/// A scan and a picture taken during it.
+/// A scan, and an image taken during it.
 struct FramePair {
   TimeNs picture_ns = 0, scan_ns = 0;
 };
 
-/// Pairs each scan with the picture nearest to its middle, in order of time. Scans without a
-/// picture during them, and other pictures, are left out. Memory holds one of each.
+/// Pairs each scan with the image nearest to its middle, in order of time. Scans without an image
+/// during their revolution are skipped, as are all other images. Memory holds one scan and one
+/// image.
 class FramePairs {
  public:
   FramePairs(ExportJob* job, const std::string& camera, const std::string& lidar,
              TimeNs scan_period_ns);
 
-  /// Returns false at the end.
+  /// Reads the next pair; returns false at the end.
   bool Next(FramePair* pair);
 
  private:

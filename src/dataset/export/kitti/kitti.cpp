@@ -19,11 +19,11 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Tolerance of a constant calibration. Bending links and interpolated poses make a fixed mount
-/// vary this much.
+/// A calibration within this tolerance counts as constant. Link deflection and interpolated poses
+/// make a fixed mount vary this much.
 constexpr double kSteadyWithin_m = 0.005, kSteadyWithin_rad = 0.1 * kDeg;
 
-/// The requested layouts, each once.
+/// The requested layouts without duplicates.
 std::vector<KittiLayout> LayoutsOf(const ExportOptions& options) {
   const std::vector<KittiLayout>& asked = options.kitti_layouts;
   std::vector<KittiLayout> layouts;
@@ -52,7 +52,7 @@ std::unique_ptr<KittiLayoutWriter> Made(KittiLayout layout, const ExportJob& job
   return nullptr;
 }
 
-/// The first of `layouts` that is among `some`, or null.
+/// The first of `layouts` that is in `some`; null if none is.
 const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
                                std::initializer_list<KittiLayout> some) {
   for (const KittiLayoutName& entry : kKittiLayouts) {
@@ -68,7 +68,7 @@ const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
 void WriteLinked(const std::vector<fs::path>& places, std::string_view bytes) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     std::error_code failed;
-    // Files that a stopped export has left of an incomplete frame.
+    // Replaces files of an incomplete frame that a stopped export left.
     fs::remove(places[k], failed);
     if (k > 0) fs::create_hard_link(places.front(), places[k], failed);
     if (k == 0 || failed) WriteWholeFile(places[k], bytes);
@@ -95,7 +95,7 @@ class KittiExport {
 
   const KittiRig& rig() const { return rig_; }
 
-  /// The next frame, without data.
+  /// The next frame, with times and poses only.
   KittiFrame Begin(const FramePair& pair) {
     KittiFrame frame;
     frame.number = number_++;
@@ -107,9 +107,10 @@ class KittiExport {
     return frame;
   }
 
-  /// Reads a frame and writes its own files. Runs on any thread.
+  /// Reads a frame and writes its files. Thread-safe.
   KittiFrame WriteFiles(KittiFrame frame) const {
-    // The track labels are one file for all frames, which is always rewritten.
+    // Track labels are needed even for a complete frame: they form one file for all frames, which
+    // is always rewritten.
     const bool has_labels = frame.is_written ? tracked_ : labelled_;
     if (has_labels) frame.labels = Labels(frame.times.picture_ns);
     if (frame.is_written) return frame;
@@ -120,7 +121,7 @@ class KittiExport {
     return frame;
   }
 
-  /// Called in order of frames.
+  /// Called once per frame, in order.
   void Add(const KittiFrame& frame) {
     for (const auto& writer : writers_) writer->Add(frame);
     if (!frame.is_written) log_->Written(rig_.lidar.path, frame.number, FilesOf(frame.number));
@@ -131,7 +132,7 @@ class KittiExport {
   }
 
  private:
-  /// A file that a layout requires.
+  /// Path of a file that the layout requires.
   fs::path Needed(std::string_view kind, TimeNs t_ns, const KittiLayoutName& layout) const {
     const fs::path file = FrameFile(job_.recording, rig_.camera, kind, t_ns);
     std::error_code ignored;
@@ -182,7 +183,7 @@ class KittiExport {
                        rig_.lens, MachineOf(rig_.camera));
   }
 
-  /// A picture with the size in sensor.yaml, else an InputError.
+  /// Throws InputError unless the image has the size in sensor.yaml.
   template <typename T>
   const Image<T>& Sized(const Image<T>& picture, const fs::path& file) const {
     if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
@@ -209,12 +210,13 @@ class KittiExport {
   }
 
   const ExportJob& job_;
-  ExportJob* log_;  ///< the same job, to mark complete frames
+  ExportJob* log_;  ///< the same job as non-const, to log complete frames
   std::vector<KittiLayout> layouts_;
   KittiRig rig_;
   Rectifier rectifier_;
   InstanceTable table_;
-  /// A layout with labels, depth, pictures, a constant calibration, and tracks; or null.
+  /// A requested layout that needs labels, depth, images, a constant calibration or tracks; null if
+  /// none does.
   const KittiLayoutName *labelled_, *deep_, *pictured_, *steady_, *tracked_;
   std::vector<std::unique_ptr<KittiLayoutWriter>> writers_;
   Pose X_CS_first_ = Pose::Identity();
@@ -223,9 +225,9 @@ class KittiExport {
 
 }  // namespace
 
-/// Writes raw/, object/, tracking/, odometry/ and depth/, or the layouts of --layout: one camera
-/// and one lidar, with a frame for each scan that has a picture. All data of a frame are at the
-/// picture's time.
+/// Writes raw/, object/, tracking/, odometry/ and depth/, or only the layouts of --layout. Exports
+/// one camera and one lidar. A scan with an image is a frame; its data is converted to the time of
+/// the image.
 ///
 /// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the development kits
 ///         of its raw data and benchmarks; depth: Uhrig et al. 2017, "Sparsity invariant CNNs".

@@ -9,9 +9,9 @@
 namespace tera {
 namespace {
 
-/// KITTI describes levels of occlusion and, in tracks, of truncation by words; these are the bounds
-/// used here. Up to 10 % hidden is "fully visible", up to half is "partly". Up to 15 % and up to
-/// half outside bound the difficulties "easy" and "hard" of the object benchmark.
+/// KITTI defines its levels of occlusion and truncation only in words. These bounds are used: up to
+/// 10 % hidden is "fully visible", up to 50 % is "partly occluded". The truncation bounds 15 % and
+/// 50 % are those of the difficulties "easy" and "hard" of the object benchmark.
 constexpr double kFullyVisible = 0.9, kPartlyVisible = 0.5;
 constexpr double kWithin = 0.15, kPartlyWithin = 0.5;
 
@@ -23,7 +23,7 @@ std::string TypeOf(SemanticClass label) {
 
 double Wrapped(double angle_rad) { return std::remainder(angle_rad, 2 * kPi); }
 
-/// Counted over points that fill the box uniformly.
+/// Estimated from a uniform grid of points in the box.
 double TruncatedShare(const ObjectBox& box, const CameraLens& lens) {
   constexpr int kPoints = 16;  // along each edge
   const auto at = [](int k) { return (k + 0.5) / kPoints - 0.5; };
@@ -81,7 +81,7 @@ std::string PlaceText(const KittiLabel& label) {
                      label.width_m, label.length_m, p.x(), p.y(), p.z(), label.rotation_y_rad);
 }
 
-/// The development kits' values for regions: no state, no size, no position.
+/// Values of the development kits for regions: unknown state, size and position.
 std::string RegionText(const KittiLabel& label) {
   return fmt::format("DontCare -1 -1 -10 {} -1 -1 -1 -1000 -1000 -1000 -10\n",
                      BoundsText(label.bounds));

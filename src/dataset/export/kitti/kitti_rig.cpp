@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// The channel that an option names, else the first.
+/// The channel that the option names, or else the first.
 std::string Chosen(const ExportJob& job, ChannelForm form, const std::string& named,
                    std::string_view option, std::string_view kind) {
   const std::vector<std::string> all = job.recording.SensorsOf(form);

@@ -9,18 +9,17 @@
 
 namespace tera {
 
-/// The lidar that --lidar names, else the first. Throws InputError if there is none.
+/// The lidar named by --lidar, or else the first. Throws InputError if there is none.
 std::string ChosenLidar(const ExportJob& job);
 
-/// The optical frame C in the frame S of a camera or another sensor: z of C is x of S, x of C is -y
-/// of S.
+/// Rotation from optical axes C to the axes of a sensor S: z of C is x of S, and x of C is -y of S.
 Pose OpticalAxesInSensor();
 
-/// The exported lidar with its poses and its mounting.
+/// The exported lidar, its poses and its mounting.
 struct KittiLidar {
   std::string path;
   TimeNs period_ns = 0;  ///< duration of a scan
-  Pose X_PS;             ///< in the link that carries it
+  Pose X_PS;             ///< pose in the link that carries the lidar
   SensorPoses poses;
 };
 
@@ -30,8 +29,8 @@ KittiLidar ReadKittiLidar(ExportJob* job);
 
 /// The exported camera and lidar.
 ///
-/// Frames  W world, C the camera's optical frame (x right, y down, z forward), S the lidar's (x
-///         forward, y left, z up), P the link that carries the lidar. C, S and P are KITTI's
+/// Frames  W world; C optical frame of the camera (x right, y down, z forward); S lidar (x forward,
+///         y left, z up); P the link that carries the lidar. C, S and P correspond to KITTI's
 ///         camera, Velodyne and GPS/IMU.
 struct KittiRig {
   std::string camera;
@@ -43,8 +42,8 @@ struct KittiRig {
   Pose X_WS(TimeNs t_ns) const { return lidar.poses.X_WS.At(t_ns); }
 };
 
-/// Reads the camera that --camera names, else the first, and the lidar. Throws InputError as above,
-/// and if the lens is unknown or has no pinhole equivalent.
+/// Reads the lidar, and the camera named by --camera or else the first. Throws InputError as
+/// ReadKittiLidar does, and if the lens is unknown or cannot be rectified.
 KittiRig ReadKittiRig(ExportJob* job);
 
 }  // namespace tera

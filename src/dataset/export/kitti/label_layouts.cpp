@@ -8,7 +8,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Independent frames, each with its own calibration.
+/// Frames are independent; each has its own calibration.
 class ObjectLayout : public KittiLayoutWriter {
  public:
   ObjectLayout(const ExportJob& job, const KittiRig& rig)
@@ -45,7 +45,7 @@ class ObjectLayout : public KittiLayoutWriter {
   fs::path folder_;
 };
 
-/// One sequence, 0000.
+/// All frames form the sequence 0000.
 class TrackingLayout : public KittiLayoutWriter {
  public:
   TrackingLayout(const ExportJob& job, const KittiRig& rig)

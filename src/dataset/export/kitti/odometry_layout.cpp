@@ -17,8 +17,8 @@ fs::path Made(const fs::path& folder) {
   return folder;
 }
 
-/// Sequence 00. Its world is the camera's frame at the first picture, its time 0 the time of that
-/// picture.
+/// All frames form sequence 00. The first image defines time 0 and the world frame, which is the
+/// camera frame.
 class OdometryLayout : public KittiLayoutWriter {
  public:
   OdometryLayout(const ExportJob& job, const KittiRig& rig)
@@ -61,7 +61,7 @@ class OdometryLayout : public KittiLayoutWriter {
   Pose X_CW_first_ = Pose::Identity();
 };
 
-/// Depth along the axis, in 256ths of a metre; 0 without a measurement.
+/// Writes depth along the optical axis in units of 1/256 m; 0 means no measurement.
 class DepthLayout : public KittiLayoutWriter {
  public:
   DepthLayout(const ExportJob& job, const KittiRig& rig)

@@ -44,7 +44,8 @@ std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info) {
   const SiteFrame::Geodetic place = site.ToGeodetic(motion.X_WB.translation());
   const Vec3 rpy_rad = RpyFromRotation(motion.X_WB.linear());
   const Mat3 R_BW = motion.X_WB.linear().transpose();
-  const Mat3 R_LW = RotationFromRpy(0, 0, rpy_rad.z()).transpose();  // L: level, x forward
+  // L: levelled frame with x forward
+  const Mat3 R_LW = RotationFromRpy(0, 0, rpy_rad.z()).transpose();
   const Vec3 f_W_mps2 = motion.a_W_mps2 + Vec3(0, 0, kStandardGravity_mps2);
   const Vec3 w_W_radps = motion.X_WB.linear() * motion.w_B_radps;
   std::string row =

@@ -14,24 +14,25 @@ namespace tera {
 struct BodyMotion {
   Pose X_WB = Pose::Identity();
   Vec3 v_W_mps = Vec3::Zero();
-  Vec3 a_W_mps2 = Vec3::Zero();  ///< without gravity
+  Vec3 a_W_mps2 = Vec3::Zero();  ///< coordinate acceleration, without gravity
   Vec3 w_B_radps = Vec3::Zero();
 };
 
-/// Motion of a body B from the poses of a sensor fixed to it.
+/// Motion of a body B, from the poses of a sensor fixed to it.
 ///
-/// Model   positions follow a parabola, rotations a steady turn, through poses half a window
-///         earlier and later. The window is twice the interval of the poses, at least 20 ms, and
-///         lies within the recording.
+/// Model   Fits three poses: at `t_ns`, and half a window before and after it. Position follows a
+///         parabola and rotation a constant turn rate. The window is twice the interval of the
+///         poses, at least 20 ms, and is moved to lie within the recording.
 BodyMotion MotionAt(const SensorPoses& poses, const Pose& X_SB, TimeNs t_ns);
 
-/// The 30 numbers of KITTI's raw data for an error-free inertial and satellite unit at B's origin,
-/// x forward, y left and z up.
+/// The 30 numbers of a KITTI oxts row, for an error-free inertial and satellite unit at B's origin:
+/// x forward, y left, z up.
 ///
-/// Model   latitude, longitude (deg), height above the ellipsoid; roll, pitch, yaw with R_WB =
-///         Rz(yaw) Ry(pitch) Rx(roll); velocity to north and east, then forward, left and up, where
-///         forward is level; specific force along B and along these; angular rate about B and about
-///         these. Accuracies, satellites and modes are 0, the navigation status 4 (locked).
+/// Model   In order: latitude, longitude (deg), ellipsoidal height; roll, pitch, yaw with R_WB =
+///         Rz(yaw) Ry(pitch) Rx(roll); velocity north, east, then forward, left, up in the levelled
+///         frame; specific force along B's axes, then along the levelled axes; angular rate about
+///         B's axes, then about the levelled axes. Accuracies, satellites and modes are 0. The
+///         navigation status is 4 (locked).
 /// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the `dataformat.txt`
 ///         of its raw data.
 std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info);

@@ -19,15 +19,16 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Number of points of each class.
+/// Number of points per class.
 using ClassCounts = std::array<std::int64_t, kSemanticClasses.size()>;
 
-/// The sky's number 0 is SemanticKITTI's "no label", since no ray hits the sky.
+/// SemanticKITTI's class 0 is "unlabeled". The dataset's class 0 is sky, which no ray hits, so both
+/// can share the number.
 std::string_view NameOfClass(const SemanticClassInfo& info) {
   return info.label == SemanticClass::kSky ? "unlabeled" : info.name;
 }
 
-/// A YAML map from the classes' numbers to `value` of each.
+/// YAML mapping from each class number to `value` of the class.
 template <typename Value>
 std::string ClassMap(std::string_view key, const Value& value) {
   std::string text = fmt::format("{}:\n", key);
@@ -37,8 +38,8 @@ std::string ClassMap(std::string_view key, const Value& value) {
   return text;
 }
 
-/// The classes for the development kit: names, colours (blue, green, red), shares of all points,
-/// learning numbers (unchanged), and the ignored one.
+/// Class definitions for the development kit: names, colours (blue, green, red), fractions of all
+/// points, identical training numbers, and the ignored class.
 std::string ClassesYaml(const ClassCounts& counts) {
   std::int64_t all = 0;
   for (const std::int64_t count : counts) all += count;
@@ -59,7 +60,7 @@ std::string ClassesYaml(const ClassCounts& counts) {
          "split:\n  train: [0]\n  valid: []\n  test: []\n";
 }
 
-/// A point's class in the lower 16 bits, its instance in the upper.
+/// One 32-bit label per point: class in the lower 16 bits, instance in the upper.
 std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts* counts) {
   constexpr int kInstanceShift = 16;
   std::string bytes;
@@ -78,7 +79,7 @@ std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts*
   return bytes;
 }
 
-/// Counts the points of an existing scan file.
+/// Counts the classes in a label file that already exists.
 void CountLabels(const fs::path& labels, ClassCounts* counts) {
   const std::string bytes = ReadWholeFile(labels);
   for (std::size_t at = 0; at + sizeof(std::uint32_t) <= bytes.size();
@@ -87,15 +88,15 @@ void CountLabels(const fs::path& labels, ClassCounts* counts) {
   }
 }
 
-/// A scan with written files.
+/// A scan whose files are written.
 struct WrittenScan {
   TimeNs t_ns = 0;
-  bool was_written = false;  ///< by a stopped export
+  bool was_written = false;  ///< files written by a stopped export
   fs::path points, labels;
   ClassCounts counts{};
 };
 
-/// Writes the files of a scan unless they exist. Runs on any thread.
+/// Writes the files of a scan unless they exist. Thread-safe.
 void WriteScan(const Recording& recording, const std::string& lidar, const PoseTrack& X_WS,
                WrittenScan* written) {
   if (written->was_written) return CountLabels(written->labels, &written->counts);
@@ -106,7 +107,7 @@ void WriteScan(const Recording& recording, const std::string& lidar, const PoseT
   WriteWholeFile(written->labels, LabelBytes(scan, file, &written->counts));
 }
 
-/// The sequence's camera 0: at the lidar's origin, without a picture.
+/// Calibration of a virtual camera 0 at the origin of the lidar.
 std::string CalibrationText(const Pose& X_SC) {
   Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Identity();
   std::string text;
@@ -124,11 +125,12 @@ fs::path MadeFolder(const fs::path& folder) {
 }  // namespace
 
 /// Writes sequences/00 (velodyne, labels, calib.txt, poses.txt and times.txt) and
-/// semantic-kitti.yaml with the dataset's classes. One lidar; each scan is motion-corrected to its
-/// first ray.
+/// semantic-kitti.yaml with the classes of the dataset. Exports one lidar. Each scan is
+/// motion-corrected to its first ray.
 ///
-/// Frames  poses of a camera 0 at the lidar's origin (x right, y down, z forward), in its own frame
-///         at the first scan; `Tr` from the lidar's frame into it.
+/// Frames  Camera 0 is a virtual camera at the lidar's origin (x right, y down, z forward). Poses
+///         are those of camera 0, relative to its pose at the first scan. `Tr` maps the lidar frame
+///         to camera 0.
 /// Source  Behley et al. 2019, "SemanticKITTI", and its development kit.
 void ExportSemanticKitti(ExportJob* job) {
   const std::string lidar = ChosenLidar(*job);

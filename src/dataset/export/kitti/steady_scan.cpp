@@ -11,8 +11,9 @@ namespace tera {
 std::vector<LidarPoint> SteadyScan(const LidarScan& scan, const PoseTrack& X_WS, TimeNs t_ns) {
   std::vector<LidarPoint> points = scan.points;
   const Pose X_SW = X_WS.At(t_ns).inverse();
-  Pose X_SR = Pose::Identity();    // sensor pose at the ray's time
-  std::optional<TimeNs> posed_ns;  // consecutive rays often share a time
+  Pose X_SR = Pose::Identity();    // sensor pose at the time of the ray
+  std::optional<TimeNs> posed_ns;  // time of the last computed pose; consecutive rays often have
+                                   // equal times
   for (LidarPoint& point : points) {
     const TimeNs ray_ns = scan.t_ns + point.time_offset_ns;
     if (posed_ns != ray_ns) X_SR = X_SW * X_WS.At(ray_ns);

@@ -25,7 +25,8 @@ const ObjectBox* BoxOf(const std::vector<ObjectBox>& boxes, std::uint16_t instan
   return found != boxes.end() ? &*found : nullptr;
 }
 
-/// The frame on the other side of `t_ns` than its nearest frame.
+/// Index of the frame before `t_ns` if the nearest frame is after it, and vice versa; nullopt if
+/// there is none.
 std::optional<std::size_t> OtherSide(const std::vector<TimeNs>& t_ns, std::size_t nearest,
                                      TimeNs at_ns) {
   if (t_ns[nearest] < at_ns && nearest + 1 < t_ns.size()) return nearest + 1;
@@ -37,7 +38,7 @@ bool IsOwn(const ObjectBox& box, const std::string& machine) {
   return box.name == machine || box.name.starts_with(machine + "/");
 }
 
-/// One camera's view of the moment.
+/// Boxes that one camera sees at one time.
 class CameraView {
  public:
   CameraView(const Recording& recording, const NuScenesSensor& camera, std::size_t nearest,
@@ -51,7 +52,7 @@ class CameraView {
   TimeNs apart_ns() const { return std::abs(camera_.t_ns[nearest_] - t_ns_); }
   const std::vector<ObjectBox>& boxes() const { return boxes_; }
 
-  /// Pose of one of boxes().
+  /// Interpolated pose of an object in boxes().
   Pose X_WO(const ObjectBox& box) const {
     const TimeNs near_ns = camera_.t_ns[nearest_];
     const Pose near = camera_.X_WF(near_ns) * box.X_CO;

@@ -10,37 +10,39 @@
 
 namespace tera {
 
-/// An object in view of a machine's cameras at one time.
+/// An object seen by the cameras of a machine at one time.
 ///
-/// Frames  W world; O the object's box frame (x forward, y left, z up), origin in its centre.
+/// Frames  W world; O box frame of the object (x forward, y left, z up), with its origin at the box
+///         centre.
 struct AnnotatedObject {
   std::uint16_t instance = 0;
   SemanticClass label = SemanticClass::kSky;
   Pose X_WO = Pose::Identity();
   Vec3 size_O_m = Vec3::Zero();
-  double visibility = 0;  ///< the maximum over the cameras
+  double visibility = 0;  ///< highest visibility among the cameras
   std::int64_t lidar_points = 0;
 };
 
-/// Objects in the pictures nearest to `t_ns`, at most `most_apart_ns` from it. Only top-level
-/// objects count, without the machine itself and its load.
+/// Objects in the images nearest to `t_ns`, at most `most_apart_ns` away. Parts of objects are
+/// excluded, as are the machine itself and its load.
 ///
-/// Model   a box has the pose in W at the time of the picture. If the last picture before `t_ns`
-///         and the first after it both have the box, its pose is interpolated linearly.
+/// Model   The pose of a box in W is valid at the time of its image. If the last image before
+///         `t_ns` and the first image after it both show the object, its pose is interpolated
+///         linearly.
 std::vector<AnnotatedObject> ObjectsAt(const Recording& recording, const NuScenesRig& rig,
                                        TimeNs t_ns, TimeNs most_apart_ns);
 
-/// Counts the points of `points_W_m` in each object's box.
+/// Counts the points inside the box of each object.
 void CountPoints(const std::vector<Vec3>& points_W_m, std::vector<AnnotatedObject>* objects);
 
-/// Writes the tables `sample_annotation` and `instance` of a scene. An annotation is written when
-/// the next annotation of its object is known.
+/// Writes the tables `sample_annotation` and `instance` of a scene. A row names the next annotation
+/// of its object, so a row is written when the next annotation is known.
 class AnnotationWriter {
  public:
   AnnotationWriter(const NuTokens& tokens, std::size_t scene, NuTables* tables)
       : tokens_(tokens), scene_(scene), tables_(tables) {}
 
-  /// Samples come in order.
+  /// Samples must be added in order.
   void Add(std::int64_t sample, const std::vector<AnnotatedObject>& objects);
   void Finish();
 
@@ -58,7 +60,7 @@ class AnnotationWriter {
   std::map<std::uint16_t, Track> tracks_;
 };
 
-/// Token of a visibility level: up to 40, 60, 80 and 100 %.
+/// Token of the visibility level: up to 40, 60, 80 or 100 %.
 std::string VisibilityToken(double visibility);
 
 }  // namespace tera

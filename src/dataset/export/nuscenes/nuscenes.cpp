@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Names of the dataset's classes in a category.
+/// Names of all dataset classes that belong to a category.
 std::string ClassesOf(std::size_t category) {
   if (category == kNuScenesEgo) return "the machine that carries the sensors, and its load";
   std::string classes;
@@ -46,8 +46,8 @@ void WriteVisibilities(NuTables* tables) {
   }
 }
 
-/// nuScenes' programs need a map of the drivable area, which a recording does not have. A single
-/// pixel means nowhere.
+/// The nuScenes tools require a map of the drivable area, which a recording lacks. A map of a
+/// single pixel marks no area as drivable.
 void WriteMap(const ExportJob& job, const NuTokens& tokens, std::size_t logs, NuTables* tables) {
   const std::string token = tokens.Of(NuTable::kMap, 0, 0), file = "maps/" + token + ".png";
   MakeFolder(job.folder / "maps");
@@ -62,8 +62,8 @@ void WriteMap(const ExportJob& job, const NuTokens& tokens, std::size_t logs, Nu
 
 }  // namespace
 
-/// Writes v1.0-tera/ with the tables, samples/ and sweeps/ with pictures and points, lidarseg/ and
-/// maps/: a log and a scene for each machine with cameras or lidars.
+/// Writes one log with one scene for each machine with cameras or lidars. v1.0-tera/ holds the
+/// tables; samples/ and sweeps/ hold images and points; lidarseg/ and maps/ hold labels and maps.
 ///
 /// Source  Caesar et al. 2020, "nuScenes: a multimodal dataset for autonomous driving", and the
 ///         development kit's `schema_nuscenes.md`.

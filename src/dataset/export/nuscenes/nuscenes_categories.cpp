@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view NameOfCategory(SemanticClass label) {
   switch (label) {
-    case SemanticClass::kSky:  // no ray hits it
+    case SemanticClass::kSky:  // no ray hits the sky
     case SemanticClass::kDust:
     case SemanticClass::kRain:
       return "noise";

@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// The categories of nuScenes in order of their index, which is the byte of a labelled point.
-/// nuScenes' programs accept only these names, since they have a colour for each.
+/// Categories of nuScenes by index. A labelled point stores the index as a byte. The nuScenes tools
+/// accept only these names, because they have a fixed colour for each.
 ///
 /// Source  Fong et al. 2022, "Panoptic nuScenes", and the development kit's `color_map.py`.
 inline constexpr std::array<std::string_view, 32> kNuScenesCategories = {
@@ -49,7 +49,7 @@ inline constexpr std::array<std::string_view, 32> kNuScenesCategories = {
 /// Index of "vehicle.ego": the machine that carries the sensors, and its load.
 inline constexpr std::uint8_t kNuScenesEgo = 31;
 
-/// Index of the category of a class.
+/// Index of the category for a class.
 std::uint8_t NuScenesCategoryOf(SemanticClass label);
 
 }  // namespace tera

@@ -30,7 +30,7 @@ NuScenesSensor ReadLidar(ExportJob* job, const std::string& path) {
   return lidar;
 }
 
-/// Returns nothing for a lens that is unknown or has no pinhole equivalent.
+/// Returns nullopt if the lens is unknown or cannot be rectified.
 std::optional<NuScenesSensor> ReadCamera(ExportJob* job, const std::string& path) {
   const SensorSheet sheet = ReadSensorSheet(job->recording.directory() / path);
   if (!sheet.lens || !Rectifier::Takes(*sheet.lens)) return std::nullopt;
@@ -73,7 +73,7 @@ std::vector<NuScenesRig> ReadNuScenesRigs(ExportJob* job) {
     if (job->recording.FrameTimes(path).empty()) continue;
     NuScenesSensor lidar = ReadLidar(job, path);
     std::vector<NuScenesSensor>& sensors = rig_of(path).sensors;
-    // Programs look for the roof lidar by this name.
+    // The nuScenes tools require this name for the roof lidar.
     lidar.channel =
         sensors.empty() ? "LIDAR_TOP" : "LIDAR_" + UpperCase(fs::path(path).filename().string());
     sensors.push_back(std::move(lidar));

@@ -10,36 +10,36 @@
 
 namespace tera {
 
-/// A camera or a lidar of a machine in nuScenes' format.
+/// A camera or lidar of a machine for nuScenes.
 ///
-/// Frames  F the frame of the measurements: a camera's optical frame (x right, y down, z forward),
-///         or a lidar's own frame (x forward, y left, z up).
+/// Frames  F frame of the measurements: the optical frame of a camera (x right, y down, z forward),
+///         or the sensor frame of a lidar (x forward, y left, z up).
 struct NuScenesSensor {
-  std::string path;                ///< "digger/front"
-  std::string channel;             ///< "CAM_FRONT"
-  std::optional<CameraLens> lens;  ///< for a camera
-  bool has_boxes = false;          ///< for a camera
-  TimeNs delay_ns = 0;             ///< for a scan: from its first ray to its middle
-  std::vector<TimeNs> t_ns;        ///< times of its frames, for scans their middle
-  SensorPoses poses;               ///< poses of its own frame S
+  std::string path;                ///< such as "digger/front"
+  std::string channel;             ///< such as "CAM_FRONT"
+  std::optional<CameraLens> lens;  ///< only for a camera
+  bool has_boxes = false;          ///< only for a camera: boxes were recorded
+  TimeNs delay_ns = 0;       ///< only for a lidar: time from the first ray of a scan to its middle
+  std::vector<TimeNs> t_ns;  ///< times of the frames; for a lidar, the middle of each scan
+  SensorPoses poses;         ///< poses of the sensor frame S
   Pose X_SF = Pose::Identity();
 
   bool is_camera() const { return lens.has_value(); }
   Pose X_WF(TimeNs at_ns) const { return poses.X_WS.At(at_ns) * X_SF; }
 };
 
-/// A machine with cameras or lidars. B is its root link.
+/// A machine with cameras or lidars. Frame B is its root link.
 struct NuScenesRig {
   std::string machine;
   PoseTrack X_WB;
-  std::vector<NuScenesSensor> sensors;  ///< lidars come first
+  std::vector<NuScenesSensor> sensors;  ///< lidars first
 };
 
-/// All machines with sensors: lidars, and cameras with colour and a lens with a pinhole equivalent.
-/// Sensors without frames are left out; each machine has at least one sensor.
+/// All machines that have a usable sensor: a lidar, or a camera with colour images and a lens that
+/// can be rectified. Sensors without frames are left out.
 ///
-/// Throws  InputError if the pose of a sensor or its machine is unknown, or if two sensors of a
-///         machine have the same channel.
+/// Throws  InputError if the pose of a sensor or of its machine is unknown, or if two sensors of a
+///         machine have the same channel name.
 std::vector<NuScenesRig> ReadNuScenesRigs(ExportJob* job);
 
 }  // namespace tera

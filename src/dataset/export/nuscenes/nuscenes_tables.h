@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// The tables of nuScenes. The tokens of their rows contain the number.
+/// Tables of nuScenes. A token contains the number of its table.
 enum class NuTable : std::uint8_t {
   kCategory,
   kAttribute,
@@ -31,24 +31,24 @@ enum class NuTable : std::uint8_t {
   kLidarseg
 };
 
-/// Tokens of rows: 32 hexadecimal digits. The first digits identify the recording, so that rows of
-/// two exports may share a table. A token depends only on a row's position, so that a row can name
-/// the next one in advance.
+/// Tokens (identifiers) of rows, with 32 hexadecimal digits. The first digits identify the
+/// recording, so rows of several exports can be merged into one table. A token depends only on the
+/// position of its row, so a row can refer to a row that is written later.
 class NuTokens {
  public:
   explicit NuTokens(const Recording& recording);
 
-  /// Token of row `entry` of list `list` of a table.
+  /// Token of row `entry` in list `list` of the table.
   std::string Of(NuTable table, std::size_t list, std::int64_t entry) const;
-  /// As Of, but empty (nuScenes' value for none) unless `entry` is from 0 to `count` - 1.
+  /// As Of, but returns an empty text, which means none in nuScenes, unless 0 <= `entry` < `count`.
   std::string IfAny(NuTable table, std::size_t list, std::int64_t entry, std::int64_t count) const;
 
  private:
   std::string recording_;
 };
 
-/// Writes all tables as files of a folder, NAME.json, each a list of objects that may be larger
-/// than memory.
+/// Writes all tables to a folder as NAME.json. Each file is a list of objects and may exceed the
+/// memory.
 class NuTables {
  public:
   explicit NuTables(const std::filesystem::path& folder);
@@ -58,10 +58,10 @@ class NuTables {
 
  private:
   std::map<NuTable, CheckedFile> files_;
-  std::set<NuTable> begun_;  ///< tables with rows
+  std::set<NuTable> begun_;  ///< tables that have at least one row
 };
 
-/// Three numbers, and w, x, y, z with w >= 0, in nuScenes' format.
+/// In the format of nuScenes: x, y, z of a translation; w, x, y, z of a quaternion with w >= 0.
 OrderedJson TranslationJson(const Pose& pose);
 OrderedJson RotationJson(const Pose& pose);
 

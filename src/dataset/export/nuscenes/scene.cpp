@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// A sensor that moves farther against its machine counts as remounted.
+/// A larger motion relative to the machine counts as a new mounting pose.
 constexpr double kSameMount_m = 1e-4, kSameMount_rad = 1e-5;
 constexpr TimeNs kNoScan_ns = std::numeric_limits<TimeNs>::min();
 
@@ -28,7 +28,7 @@ std::string DateOf(const ExportJob& job) {
   return fmt::format("{:04}-{:02}-{:02}", t.year, t.month, t.day);
 }
 
-/// Part of a file's name: letters, digits, '-' and '_'.
+/// Replaces characters other than letters, digits, '-' and '_', for use in file names.
 std::string PlainName(std::string text) {
   for (char& c : text) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
@@ -122,7 +122,8 @@ void NuScenesScene::WriteSamples() {
 
 void NuScenesScene::WriteAnnotations() {
   AnnotationWriter annotations(tokens_, scene_, tables_);
-  std::vector<std::vector<TimeNs>> scans_ns(samples_ns_.size());  // per sensor, or none
+  // per sample and sensor: the time of the scan, or kNoScan_ns
+  std::vector<std::vector<TimeNs>> scans_ns(samples_ns_.size());
   for (std::size_t s = 0; s < rig_.sensors.size(); ++s) {
     if (rig_.sensors[s].is_camera()) continue;
     for (std::size_t f = 0; f < frames_[s].size(); ++f) {

@@ -11,22 +11,21 @@
 
 namespace tera {
 
-/// File contents of a sensor's frames. The recording and the sensor must outlive it.
+/// Content of the exported files of one sensor. The recording and the sensor must outlive the
+/// object.
 class SensorFrames {
  public:
   SensorFrames(const Recording& recording, const NuScenesSensor& sensor);
 
-  // Cameras.
-  // The PNG of a rectified picture; for a pinhole lens the recording's own bytes. Throws InputError
-  // if it is missing or its size differs from the lens.
+  // For cameras: PNG of the rectified image. For a lens without distortion, the recording's own
+  // PNG. Throws InputError if the image is missing or its size differs from the lens.
   std::string PictureBytes(TimeNs t_ns) const;
 
-  // Lidars.
-  // A scan's points, motion-corrected to its middle, `t_ns`.
+  // For lidars: points of a scan, motion-corrected to the middle of the scan, `t_ns`.
   std::vector<LidarPoint> Points(TimeNs t_ns) const;
   std::vector<Vec3> InWorld(const std::vector<LidarPoint>& points, TimeNs t_ns) const;
-  /// One byte per point: the category of its class, or the ego category for the instances `own`.
-  /// Throws InputError for an unknown class.
+  /// One byte per point: the category of its class, or the ego category if its instance is in
+  /// `own`. Throws InputError for an unknown class.
   std::string Categories(const std::vector<LidarPoint>& points, TimeNs t_ns,
                          const std::set<std::uint16_t>& own) const;
 
@@ -36,7 +35,8 @@ class SensorFrames {
   std::optional<Rectifier> rectifier_;
 };
 
-/// x, y, z in m, intensity from 0 to 255 and ring of each point, as 32-bit floats, low byte first.
+/// Encodes x, y, z in m, intensity in [0, 255] and ring of each point as 32-bit floats, low byte
+/// first.
 std::string NuScenesPointBytes(const std::vector<LidarPoint>& points);
 
 }  // namespace tera

@@ -10,21 +10,22 @@
 
 namespace tera {
 
-/// The objects in a recording's dataset.yaml.
+/// Objects listed in a recording's dataset.yaml.
 class InstanceTable {
  public:
   struct Entry {
     std::string name;
     SemanticClass label = SemanticClass::kSky;
-    std::uint16_t parent = 0;  ///< 0: top-level object
+    std::uint16_t parent = 0;  ///< 0 for an object that is not part of another
   };
 
-  /// Throws InputError if an object has an unknown class, or is a part of itself.
+  /// Throws InputError if an object has an unknown class or is contained in itself.
   explicit InstanceTable(const Recording& recording);
 
-  /// Throws InputError about `file`, which has the number, if dataset.yaml lists no such object.
+  /// Entry of an instance that occurs in `file`. Throws InputError if dataset.yaml does not list
+  /// it.
   const Entry& Of(std::uint16_t instance, const std::filesystem::path& file) const;
-  /// The object and the wholes that contain it, smallest first.
+  /// The object, then its parent, the parent's parent and so on.
   const std::vector<std::uint16_t>& WithWholes(std::uint16_t instance,
                                                const std::filesystem::path& file) const;
 

@@ -27,7 +27,7 @@ constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
                    {FaultKind::kMalformed, "not a whole PNG; need one, write the file again"});
 }
 
-/// Whether chunks with valid lengths and checksums run from IHDR to IEND.
+/// True if all chunks from IHDR to IEND have valid lengths and checksums.
 bool HasWholeChunks(std::string_view png) {
   constexpr std::size_t kSignatureBytes = 8, kAround = 12;  // length, name and checksum of a chunk
   for (std::size_t at = kSignatureBytes; png.size() - at >= kAround;) {

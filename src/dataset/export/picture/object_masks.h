@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// The bounding rectangle of some pixels; bounds inclusive.
+/// Bounding rectangle of a set of pixels; bounds are inclusive.
 struct PixelBounds {
   int x_min_px = 0, y_min_px = 0, x_max_px = -1, y_max_px = -1;
 
@@ -20,15 +20,14 @@ struct PixelBounds {
   void Include(int x_px, int y_first_px, int y_last_px);
 };
 
-/// The pixels of an object in a picture.
 struct ObjectMask {
   RunLengths runs;
   PixelBounds bounds;
 };
 
-/// Masks of all visible objects in a picture of instances, by their numbers. A whole includes the
-/// pixels of its parts. Throws InputError about `file`, the picture, for a number that the table
-/// lacks.
+/// Masks of all visible objects of an instance image, by instance. The mask of an object includes
+/// the pixels of its parts. Throws InputError that names `file`, the image, if an instance is not
+/// in the table.
 std::map<std::uint16_t, ObjectMask> ObjectMasks(const Image<std::uint16_t>& instances,
                                                 const InstanceTable& table,
                                                 const std::filesystem::path& file);

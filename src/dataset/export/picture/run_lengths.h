@@ -6,20 +6,21 @@
 
 namespace tera {
 
-/// A mask as run lengths, column by column from the left, each from the top.
+/// A mask as run lengths in column-major order: columns from left to right, pixels from top to
+/// bottom.
 ///
-/// Model   run 0 is outside, run 1 inside, and so on; run 0 may be empty.
+/// Model   Runs alternate between outside and inside, beginning with outside. The first run may be
+///         empty.
 /// Source  COCO API, `maskApi.h`.
 class RunLengths {
  public:
-  /// Adds `count` inside pixels from `first` on. `first` must be at or after the end of the runs so
-  /// far.
+  /// Adds `count` inside pixels from index `first` on. `first` must not lie before the end of the
+  /// last run.
   void Add(std::int64_t first, std::int64_t count);
-  /// Number of inside pixels.
   std::int64_t area_px() const { return area_px_; }
-  /// COCO's compressed text of the runs of a picture of `pixels`. Each run from the fourth on is
-  /// stored minus the run two before it. It is split into groups of five bits, lowest first, with
-  /// the sixth bit as continuation, plus 48.
+  /// Text of COCO's compressed run lengths for an image of `pixels` pixels. From the fourth run on,
+  /// a run is stored as its difference from the run two before it. A number is split into groups of
+  /// five bits, lowest first. A sixth bit marks continuation; 48 is added to make a character.
   std::string Compressed(std::int64_t pixels) const;
 
  private:

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Layer {
-  std::string_view raster;  ///< in a recording's file names
-  std::string_view name;    ///< in grid maps
+  std::string_view raster;  ///< name in the file names of a recording
+  std::string_view name;    ///< name in grid maps
 };
 
 constexpr std::array<Layer, 5> kLayers = {{{"height", kElevationLayer},
@@ -26,14 +26,14 @@ constexpr std::array<Layer, 5> kLayers = {{{"height", kElevationLayer},
                                            {"density", "density"},
                                            {"soil_class", "soil_class"}}};
 
-/// The time in a file's name: "start", "end" or nanoseconds.
+/// Time in a file name: "start", "end" or nanoseconds.
 std::optional<TimeNs> TimeOf(std::string_view text, const Recording& recording) {
   if (text == "start") return 0;
   if (text == "end") return FromSeconds(recording.info().duration_s);
   return ParseNumber<TimeNs>(text);
 }
 
-/// "height_start" as layer and time; nothing for a file of another kind.
+/// Splits a file name such as "height_start" into layer and time; nullopt for other files.
 std::optional<std::pair<std::string, TimeNs>> LayerAndTime(const std::string& stem,
                                                            const Recording& recording) {
   for (const Layer& layer : kLayers) {
@@ -55,7 +55,7 @@ std::vector<GroundSnapshot> GroundSnapshotsOf(const Recording& recording) {
   const fs::path folder = recording.directory() / "truth/terrain";
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) return {};
-  // Sorted by name, so that the end of a recording replaces a snapshot of the same time.
+  // Sorted by name, so the final state ("end") replaces a snapshot at the same time.
   std::map<std::string, fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".tif") files[entry.path().stem()] = entry.path();
@@ -91,8 +91,8 @@ ros::GridMap GridMapOf(const GroundSnapshot& snapshot, TimeNs stamp_ns, const Re
           fmt::format("its pixels lie otherwise than those of {}; need rasters of one recording",
                       snapshot.layers.begin()->second.string()));
     }
-    // Rows of a grid map run down x and its columns down y, column by column. The data thus start
-    // in the north-east and run backwards through the rows from the south-west.
+    // In a grid map, row index grows with decreasing x, column index with decreasing y, and data is
+    // column-major. This equals the reversed order of row-major data that starts in the south-west.
     map.layers.push_back({name, {squares.values.rbegin(), squares.values.rend()}});
     squares.values.clear();
     if (!first) first = std::move(squares);

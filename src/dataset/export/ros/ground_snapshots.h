@@ -12,23 +12,23 @@
 
 namespace tera {
 
-/// The layer that grid map programs draw.
+/// The layer that grid map viewers display as height.
 inline constexpr std::string_view kElevationLayer = "elevation";
 
-/// A recording's ground rasters at one time, by their grid map layers: elevation, change,
-/// mass_change, density, soil_class.
+/// Ground rasters of a recording at one time, by grid map layer: elevation, change, mass_change,
+/// density, soil_class.
 struct GroundSnapshot {
   TimeNs t_ns = 0;
   std::map<std::string, std::filesystem::path> layers;
 };
 
-/// The snapshots in truth/terrain, in order of time; none without the folder. The end's time is the
-/// recording's duration.
+/// Snapshots in truth/terrain, in order of time; empty if the folder is absent. The final snapshot
+/// has the time of the recording's end.
 std::vector<GroundSnapshot> GroundSnapshotsOf(const Recording& recording);
 
-/// A snapshot as grid map in the world, with the stamp `stamp_ns`.
+/// Converts a snapshot to a grid map in the world frame.
 ///
-/// Throws  InputError if a raster cannot be read or has another extent than the others.
+/// Throws  InputError if a raster cannot be read or the extents of the rasters differ.
 ros::GridMap GridMapOf(const GroundSnapshot& snapshot, TimeNs stamp_ns, const ReadGround& read);
 
 }  // namespace tera

@@ -9,10 +9,12 @@
 
 namespace tera {
 
-/// The kinematic tree of a machine for transforms, with its tool and levers for its own messages.
+/// Kinematic tree of a machine for ROS transforms. It also holds the tool and the levers for
+/// machine-specific messages.
 ///
-/// Frames  P parent link, J joint frame (X_PJ is the child's frame at position 0), L the link that
-///         carries the tool, T the tool: the middle of its cutting edge, axes of L.
+/// Frames  P parent link; J joint frame, where X_PJ is the child's pose at position 0; L the link
+///         that carries the tool; T tool frame at the middle of the cutting edge, with the axes of
+///         L.
 struct JointTree {
   enum class Motion { kNone, kTurns, kSlides };
   struct Joint {
@@ -21,7 +23,7 @@ struct JointTree {
     Pose X_PJ = Pose::Identity();
     Vec3 axis_J = Vec3::UnitZ();
 
-    /// Pose of the child in its parent at a position in rad or m.
+    /// Pose of the child link in its parent at a joint position in rad or m.
     Pose ChildInParent(double position) const {
       switch (motion) {
         case Motion::kNone:
@@ -41,7 +43,7 @@ struct JointTree {
     std::string link;
     Pose X_LT = Pose::Identity();
   };
-  std::optional<Tool> tool;             ///< the first shovel that can carry soil
+  std::optional<Tool> tool;             ///< the first shovel with a capacity for soil
   std::vector<ros::NamedLever> levers;  ///< in the order of commands.csv
 };
 

@@ -7,7 +7,7 @@
 #include "dataset/ros/delta_can.h"
 #include "dataset/ros/names.h"
 
-// Messages from a machine's tables: joints, cylinders, tool and levers.
+// Messages from tables of a machine: joints, cylinders, tool and levers.
 
 namespace tera {
 
@@ -34,7 +34,7 @@ void RosTopics::AddJoints(const std::string& path) {
     AddTake(path, [=, this](const Record& record) {
       Write(mass, job_->Stamp(record.t_available_ns), ros::Float64{record.values[c]});
     });
-    break;  // only the first shovel, as in live operation
+    break;  // only the first shovel, as in the live ROS 2 interface
   }
 }
 

@@ -214,7 +214,7 @@ void RosTopics::AddLidar(const std::string& path) {
       return {Wire(id, at_ns, ros::PointCloudMessage(scan, frame_id))};
     });
   });
-  // A scan is available at its last ray.
+  // A scan is available after its last ray.
   const TimeNs turn_ns = sheet.rate_hz > 0 ? SampleClock{sheet.rate_hz, 0}.Period() : 0;
   channels_.back().delay_ns = sheet.latency_ns + turn_ns;
 }
@@ -317,9 +317,10 @@ void RosTopics::WriteAll() {
       job_->options.threads, [this](const std::vector<WireMessage>& messages) { Put(messages); });
   Record record;
   bool more = job_->Next(stream_.get(), &record);
-  // Comes first, also before records that a late clock stamps below 0.
+  // Static transforms come first. A sensor clock may stamp records with negative times, which come
+  // after them too.
   const TimeNs first_ns = more ? std::min<TimeNs>(0, record.t_available_ns) : 0;
-  // Times that count from an epoch have no clock messages until the first record.
+  // If times count from an epoch, the clock starts at the first record.
   if (more) next_tick_ = std::max<std::int64_t>(0, record.t_available_ns / kClock.Period());
   Write(static_transforms_, job_->Stamp(first_ns), ros::TfMessage{StaticTransforms(job_)});
   for (; more; more = job_->Next(stream_.get(), &record)) {

@@ -25,7 +25,7 @@
 
 namespace tera {
 
-// Qualities of service in docs/reference/ros2.md.
+// QoS profiles of docs/reference/ros2.md: depth, reliable, latched.
 inline constexpr TopicQuality kSensorData = {5, false, false};
 inline constexpr TopicQuality kLarge = {2, true, false};
 inline constexpr TopicQuality kState = {10, true, false};
@@ -33,39 +33,37 @@ inline constexpr TopicQuality kManyTransforms = {100, true, false};
 inline constexpr TopicQuality kLatched = {1, true, true};
 inline constexpr TopicQuality kLatest = {1, false, false};
 
-/// Writes a recording as the ROS topics and frames of docs/reference/ros2.md to a bag.
+/// Writes a recording to a bag as the topics and frames of docs/reference/ros2.md.
 ///
-/// Model   a message is written at the time of its availability; its stamp is the time of validity.
-///         Times below 0 are sent as 0, since ROS has none.
+/// Model   The bag time of a message is t_available_ns; the stamp in its header is t_ns. Negative
+///         times become 0, because ROS has no negative times.
 class RosTopics {
  public:
-  /// Keeps references. Throws InputError if two topics have the same name.
+  /// Keeps references to both arguments. Throws InputError if two topics have the same name.
   RosTopics(ExportJob* job, BagWriter* bag);
 
-  /// All messages in order of time.
   void WriteAll();
   const std::vector<Topic>& topics() const { return topics_; }
-  /// Sets a callback for each written message.
+  /// Sets a function that is called after each written message.
   void OnWrite(std::function<void(std::size_t topic, TimeNs t_ns)> told) {
     told_ = std::move(told);
   }
 
  private:
-  /// Consumer of a channel's records.
+  /// Processes a record of one channel.
   using Take = std::function<void(const Record&)>;
   using TopicId = std::size_t;
-  /// A serialised message.
   struct WireMessage {
     TopicId topic = 0;
     TimeNs t_ns = 0;
     std::string bytes;
   };
 
-  /// Topic of a kind of picture.
+  /// Topic of one kind of image of a camera.
   struct PictureTopic {
     std::string kind;
     TopicId topic = 0;
-    const LabelChannel* label = nullptr;  ///< null for rgb and depth
+    const LabelChannel* label = nullptr;  ///< null for colour and depth
   };
 
   void AddChannels();
@@ -85,30 +83,29 @@ class RosTopics {
   TopicId AddTopic(const std::string& name, const TopicQuality& quality);
   template <typename Message>
   WireMessage Wire(TopicId topic, TimeNs t_ns, const Message& message) const;
-  /// Queues a message after all earlier ones.
+  /// Appends a message after all messages queued before.
   template <typename Message>
   void Write(TopicId topic, TimeNs t_ns, const Message& message) {
     messages_->GiveResult({Wire(topic, t_ns, message)});
   }
-  /// Messages of a camera's frame. Runs on any thread.
+  /// Messages for one frame of a camera. Thread-safe.
   std::vector<WireMessage> CompressedPictures(const std::string& path, const Record& record,
                                               const std::vector<PictureTopic>& pictures,
                                               const std::string& frame_id) const;
   std::vector<WireMessage> RawPictures(const std::string& path, const Record& record,
                                        const std::vector<PictureTopic>& pictures,
                                        const std::string& frame_id) const;
-  /// Writes to the bag.
   void Put(const std::vector<WireMessage>& messages);
   void AddTake(const std::string& path, Take take);
-  /// Any row, by its column names.
+  /// Publishes any row as a JointState, with the column names as joint names.
   Take JointStateTake(const std::string& topic, const std::string& frame_id,
                       const TopicQuality& quality);
-  /// A pose in the world.
+  /// Publishes poses in the world frame.
   Take PoseTake(const std::string& topic);
   std::vector<std::string> ColumnsOf(const std::string& path) const;
   bool IsMachine(const std::string& body) const;
   std::string RootFrameOf(const std::string& machine) const;
-  /// Writes clock and ground up to a time, in order.
+  /// Write the clock ticks and ground maps that are due at `t_ns` or before.
   void WriteClockUntil(TimeNs t_ns);
   void WriteGroundUntil(TimeNs t_ns);
 
@@ -117,12 +114,12 @@ class RosTopics {
   std::vector<Topic> topics_;
   std::set<std::string> names_;
   std::vector<StreamedChannel> channels_;
-  std::map<std::string, std::vector<Take>> takes_;  ///< by channel
+  std::map<std::string, std::vector<Take>> takes_;  ///< by channel path
   std::unique_ptr<RecordStream> stream_;            ///< set while writing
-  /// Pending messages in order. Frames are decoded in parallel.
+  /// Queued messages in order. Frames are decoded on worker threads.
   std::unique_ptr<InOrder<std::vector<WireMessage>>> messages_;
   TopicId clock_, transforms_, static_transforms_, ground_ = 0;
-  std::deque<GroundSnapshot> snapshots_;  ///< pending snapshots
+  std::deque<GroundSnapshot> snapshots_;  ///< ground maps not yet written
   std::int64_t next_tick_ = 0;
   std::function<void(std::size_t, TimeNs)> told_;
 };

@@ -14,7 +14,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// X_SC of the optical frame C in the sensor frame S: z of C is x of S, x of C is -y of S.
+/// Rotation X_SC of the optical frame C in the sensor frame S: z of C is x of S, and x of C is -y
+/// of S.
 Pose OpticalInSensor() { return MakePose(Vec3::Zero(), -90 * kDeg, 0, -90 * kDeg); }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The static transforms of a recording: fixed joints and stationary machines, sensors on their
-/// links, optical frames of cameras.
+/// Transforms that never change: fixed joints, stationary machines, sensors on their links, and
+/// optical frames of cameras.
 std::vector<ros::TransformStamped> StaticTransforms(ExportJob* job);
 
 }  // namespace tera

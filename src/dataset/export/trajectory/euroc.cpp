@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-/// The known columns of EuRoC's ground truth: without biases, and without velocities if the
-/// reference has none.
+/// Columns of EuRoC's ground truth that a recording can fill. Sensor biases are left out;
+/// velocities too if the recording has none.
 constexpr char kPoseHeader[] =
     "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z "
     "[]";
@@ -38,8 +38,8 @@ std::string ImuRow(TimeNs stamp_ns, const ImuSample& imu) {
 
 }  // namespace
 
-/// Writes NAME/state_groundtruth_estimate0/data.csv for each body with known poses, and
-/// MACHINE/IMU/data.csv with EuRoC's columns for each inertial unit.
+/// Writes NAME/state_groundtruth_estimate0/data.csv for each body with recorded poses, and
+/// MACHINE/IMU/data.csv for each IMU.
 ///
 /// Source  Burri et al. 2016, "The EuRoC micro aerial vehicle datasets"; the ASL dataset format.
 void ExportEuroc(ExportJob* job) {

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// Writes one text file for each body with known poses: time in s, position, quaternion x y z w.
+/// Writes one text file per body with recorded poses: time in s, position, quaternion x y z w.
 ///
 /// Source  "File Formats" of the RGB-D SLAM dataset and benchmark, TU Munich.
 void ExportTum(ExportJob* job) {

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// The context that the specification prescribes.
+/// The JSON-LD context that the specification prescribes.
 OrderedJson Context() {
   OrderedJson context = {{"@language", "en"},
                          {"@vocab", "https://schema.org/"},
@@ -41,7 +41,7 @@ std::string EncodingOf(const std::string& ending) {
   return ending.ends_with("json") ? "application/json" : "application/octet-stream";
 }
 
-/// "excavator1_front/rgb.png": the files of one part.
+/// Identifier of the files with one ending, such as "excavator1_front/rgb.png".
 std::string PartId(const SensorArchives& sensor, const std::string& ending) {
   return sensor.name + "/" + ending;
 }
@@ -69,7 +69,7 @@ void AddFiles(const std::filesystem::path& folder, const SensorArchives& sensor,
   }
 }
 
-/// A record for each file of a part: its sample, and its contents.
+/// One record per file with this ending: its sample and its content.
 OrderedJson Records(const SensorArchives& sensor, const std::string& ending) {
   const std::string set = PartId(sensor, ending), id = set + "/records";
   const OrderedJson key = {

@@ -30,7 +30,7 @@ std::int64_t SamplesOf(const SensorArchives& sensor) {
   return samples;
 }
 
-/// The hub's metadata: a configuration for each sensor.
+/// Metadata for the Hugging Face Hub, with one configuration per sensor.
 std::string FrontMatter(const DatasetInfo& info, const CardFacts& facts,
                         const std::vector<SensorArchives>& sensors) {
   std::string text = fmt::format(

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// A scan's points as a NumPy file of a structured array, with the fields of
+/// Encodes the points of a scan as a NumPy structured array (.npy). Fields as in
 /// docs/reference/dataset.md: x, y, z, intensity (float32), time (uint32), ring, instance (uint16),
 /// label (uint8).
 ///

@@ -14,7 +14,7 @@ constexpr std::size_t kNameBytes = 100, kSizeAt = 124, kSizeDigits = 11, kMagicA
 
 std::string_view Trimmed(std::string_view field) { return field.substr(0, field.find('\0')); }
 
-/// The number of blocks of a file's bytes; nothing if the header has no size.
+/// Number of blocks that a file occupies; nullopt if the header holds no valid size.
 std::optional<std::uintmax_t> BlocksOf(std::string_view header) {
   std::uintmax_t bytes = 0;
   const char* const first = header.data() + kSizeAt;

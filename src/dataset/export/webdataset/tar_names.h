@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The file names in a complete archive of TarWriter, in order and without their folder. Nothing
-/// without an archive, or for a truncated one.
+/// File names in an archive of TarWriter, in order and without folders. Returns nullopt if the
+/// archive is absent or truncated.
 std::optional<std::vector<std::string>> NamesInTar(const std::filesystem::path& archive);
 
 }  // namespace tera

@@ -28,9 +28,9 @@ std::string Header(std::string_view folder, std::string_view name, std::size_t b
   }
   Append(fmt::format("{:011o}", bytes), 12, &header);
   Append(fmt::format("{:011o}", 0), 12, &header);  // time
-  header.append(8, ' ');                           // the checksum's field counts as blanks
-  header += '0';                                   // regular file
-  Append("", 100, &header);                        // link name
+  header.append(8, ' ');     // the checksum is computed with blanks in its own field
+  header += '0';             // regular file
+  Append("", 100, &header);  // link name
   Append("ustar", 6, &header);
   header += "00";
   Append("", 32 + 32 + 8 + 8, &header);  // names of owners, devices

@@ -24,7 +24,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The list in a file of boxes.
+/// The list of objects in a boxes file.
 OrderedJson BoxesIn(const fs::path& file) {
   try {
     return OrderedJson::parse(ReadWholeFile(file)).at("boxes");
@@ -35,10 +35,10 @@ OrderedJson BoxesIn(const fs::path& file) {
   }
 }
 
-/// One camera or lidar.
+/// Samples of one camera or lidar.
 class SensorSamples {
  public:
-  /// `episode` as for Shards::Add.
+  /// `episode` as in Shards::Add.
   SensorSamples(ExportJob* job, const std::string& sensor, bool is_lidar, Shards* shards,
                 std::string episode = "")
       : job_(*job),
@@ -57,7 +57,7 @@ class SensorSamples {
     if (shards_.Has(t_ns)) return;
     std::vector<SamplePart> parts = is_lidar_ ? ScanParts(t_ns) : PictureParts(t_ns);
     parts.push_back({"json", About(t_ns).dump() + "\n"});
-    // Episodes may differ in calibration.
+    // Episodes may have different calibrations, so each sample includes one.
     if (!episode_.empty()) parts.push_back({"sensor.yaml", sheet_});
     shards_.Add(t_ns, parts, episode_);
   }
@@ -110,10 +110,11 @@ class SensorSamples {
 
 }  // namespace
 
-/// Writes for each camera and lidar MACHINE_SENSOR-000000.tar and on, the list MACHINE_SENSOR.json,
-/// and its sensor.yaml. A sample is an exposure (rgb.png, depth.png, semantic.png, instance.png,
-/// normal.png, those that it has) or a scan (points.npy), with json: time, pose, boxes. With --card
-/// also README.md and croissant.json.
+/// Writes the archives MACHINE_SENSOR-000000.tar onwards, the list MACHINE_SENSOR.json and
+/// sensor.yaml for each camera and lidar. A sample of a camera is an exposure with the images it
+/// has: rgb.png, depth.png, semantic.png, instance.png, normal.png. A sample of a lidar is a scan,
+/// points.npy. Each sample has a json file with time, pose and boxes. With --card, README.md and
+/// croissant.json are written too.
 void ExportWebdataset(ExportJob* job) {
   std::vector<std::string> sensors = job->recording.SensorsOf(ChannelForm::kPictures);
   const std::size_t cameras = sensors.size();
@@ -154,8 +155,8 @@ std::string WriteMergedArchives(const std::vector<MergedEpisode>& episodes, cons
   const std::optional<CardFacts> facts =
       options.card.empty() ? std::nullopt : std::optional(ReadCardFacts(options.card));
   const ExportOptions of_export{.format = ExportFormat::kWebdataset};
-  std::map<std::string, Shards> shards;  // by part and sensor
-  std::vector<std::string> names;        // its keys
+  std::map<std::string, Shards> shards;  // by split and sensor
+  std::vector<std::string> names;        // the keys of shards
   for (const MergedEpisode& episode : episodes) {
     const Recording recording(episode.dataset);
     ExportJob job{recording, folder, folder.string(), of_export};

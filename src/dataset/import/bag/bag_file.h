@@ -9,17 +9,17 @@
 
 namespace tera {
 
-/// A file read piece by piece. Bad content throws BadBytes; a file that cannot be opened or read
-/// throws InputError.
+/// A file that is read in pieces. Throws BadBytes for invalid content, and InputError if the file
+/// cannot be opened or read.
 class BagFile {
  public:
   explicit BagFile(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const { return size_; }
-  /// Reads `count` bytes from `at` on; missing bytes are a fault.
+  /// Reads `count` bytes from offset `at`. Throws BadBytes if the file is too short.
   std::string Read(std::uint64_t at, std::uint64_t count);
-  /// Throws where the file holds fewer than `count` bytes from `at` on.
+  /// Throws BadBytes if fewer than `count` bytes follow offset `at`.
   void Require(std::uint64_t at, std::uint64_t count) const;
 
  private:
@@ -28,8 +28,7 @@ class BagFile {
   std::uint64_t size_ = 0;
 };
 
-/// Most bytes of a chunk or message. A greater declared size counts as damage, as does one that
-/// exceeds the memory.
+/// Size limit of a chunk or message. A larger declared size is treated as damage.
 inline constexpr std::uint64_t kMostPieceBytes = std::uint64_t{1} << 30;
 void RequirePieceSize(std::uint64_t bytes);
 

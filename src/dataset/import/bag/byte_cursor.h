@@ -9,12 +9,14 @@
 
 namespace tera {
 
-/// Bytes that violate their format or schema. The caller adds the place and throws InputError.
+/// Thrown for bytes that violate their format or schema. The caller adds the place and rethrows an
+/// InputError.
 struct BadBytes {
   std::string finding;
 };
 
-/// Reads little-endian numbers and texts from bytes, never beyond their end.
+/// Reads little-endian numbers and texts from a byte sequence. Throws BadBytes instead of reading
+/// beyond its end.
 class ByteCursor {
  public:
   explicit ByteCursor(std::string_view bytes) : bytes_(bytes) {}
@@ -40,7 +42,7 @@ class ByteCursor {
     }
     return value;
   }
-  /// A text after its length in 32 bits.
+  /// A text preceded by its length as a 32-bit number.
   std::string_view Text() { return Bytes(Number<std::uint32_t>()); }
 
  private:

@@ -68,7 +68,7 @@ class McapReader {
     return head_;
   }
 
-  /// Reads only the needed part of a record, since messages of other topics may be large.
+  /// Reads only the start of a record, because messages of unwanted topics may be large.
   bool TakeRecordAt(std::uint8_t opcode, std::uint64_t at, std::uint64_t length) {
     if (opcode == kMessage) {
       ByteCursor id(record_ = file_.Read(at, std::min<std::uint64_t>(length, 2)));
@@ -110,7 +110,7 @@ class McapReader {
   }
 
   static void RequireCrc(std::string_view bytes, std::uint32_t crc) {
-    if (crc == 0) return;  // not computed
+    if (crc == 0) return;  // the writer did not compute it
     const auto found = crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     if (found == crc) return;
     throw BadBytes{"the bytes of a chunk are not those of its checksum"};
@@ -173,7 +173,7 @@ class McapReader {
   }
 
   struct Channel {
-    std::size_t number = 0;  ///< the topic's number for the visitor
+    std::size_t number = 0;  ///< index of the topic for BagVisitor::Take
     bool wanted = false;
   };
 

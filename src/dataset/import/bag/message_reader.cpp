@@ -13,17 +13,16 @@
 
 namespace tera {
 
-/// Wanted parts of one element of a field, or of the field itself where it is no array.
+/// Requested parts of one element of a field. A field that is not an array has one element.
 struct MessageReader::Element {
   std::optional<std::uint32_t> index;
-  std::string label;  ///< selects the element instead of an index; for a transform its frames
+  std::string label;  ///< selects the element by name instead of index; for a transform, its frames
   std::vector<std::size_t> columns;
-  std::unique_ptr<Node> below;  ///< parts of a nested message
+  std::unique_ptr<Node> below;  ///< requested parts of a nested message
 };
 
-/// Wanted parts of a message.
 struct MessageReader::Node {
-  std::vector<std::vector<Element>> fields;  ///< one list for each field
+  std::vector<std::vector<Element>> fields;  ///< one list per field
   bool has_labels = false;
 };
 
@@ -31,7 +30,7 @@ namespace {
 
 constexpr const char* kLabels = "name";
 
-/// A part of a path: "position[boom]".
+/// A part of a path, such as "position[boom]".
 struct Step {
   std::string name, inside;
   bool has_brackets = false;
@@ -85,7 +84,7 @@ bool IsTransform(const MessageType& type) {
   });
 }
 
-/// "odom>base_link" of "/odom" and "/base_link".
+/// Joins "/odom" and "/base_link" to "odom>base_link".
 std::string PairOf(std::string_view parent, std::string_view child) {
   const auto bare = [](std::string_view frame) {
     return std::string(frame.substr(frame.starts_with('/') ? 1 : 0));
@@ -93,7 +92,7 @@ std::string PairOf(std::string_view parent, std::string_view child) {
   return bare(parent) + ">" + bare(child);
 }
 
-/// Resolves the element that a step of a path selects.
+/// Determines how a step of a path selects an element: by `index` or by `label`.
 void RequireElement(const MessageSchema& schema, const MessageType& type, std::size_t f,
                     const Step& step, std::optional<std::uint32_t>* index, std::string* label) {
   const MessageField& field = type.fields[f];
@@ -176,7 +175,7 @@ void MessageReader::Add(const std::string& path, std::size_t column) {
   }
 }
 
-/// Parses one message from its first byte to its last.
+/// Parses one message from start to end.
 class MessageReader::Walk {
  public:
   Walk(const MessageSchema& schema, std::string_view message, std::vector<MessageCell>* cells)
@@ -185,7 +184,7 @@ class MessageReader::Walk {
     bytes_ = message;
   }
 
-  /// Returns the labels of this message.
+  /// Reads the message and returns the texts of its sequence `name`.
   std::vector<std::string_view> Message(const MessageType& type, const Node* node) {
     std::vector<std::string_view> labels;
     for (std::size_t f = 0; f < type.fields.size(); ++f) {
@@ -198,11 +197,11 @@ class MessageReader::Walk {
     return labels;
   }
 
-  /// Collects the frames of all transforms within the message.
+  /// Requests the frames of all transforms in the message.
   void CollectPairs(std::vector<std::string>* pairs) { pairs_ = pairs; }
 
   void RequireEnd() const {
-    // Some writers pad to a multiple of four.
+    // Some writers pad messages to a multiple of four bytes.
     const std::size_t most = is_cdr_ ? 3 : 0;
     if (bytes_.size() - at_ <= most) return;
     throw BadBytes{
@@ -267,7 +266,7 @@ class MessageReader::Walk {
       return;
     }
     RequireRoom(field, count);
-    if (LeastOf(field) == 0) return;  // messages without any field
+    if (LeastOf(field) == 0) return;  // a message type without fields
     for (std::uint64_t k = 0; k < count; ++k) {
       if (field.kind == FieldKind::kMessage) {
         const MessageType& type = schema_.types[field.type];
@@ -298,7 +297,7 @@ class MessageReader::Walk {
                                count, bytes_.size() - at_)};
   }
 
-  /// Frames of the transform at the current position, which stays unread.
+  /// Frames of the transform at the current position, which does not advance.
   std::string FramesAt(const MessageType& type) {
     std::pair<std::string_view, std::string_view> frames;
     const std::size_t begin = at_;
@@ -326,7 +325,7 @@ class MessageReader::Walk {
     return nullptr;
   }
 
-  /// Reads numbers or times, and skips the unwanted ones.
+  /// Reads requested numbers and times, and skips all others.
   void Plain(FieldKind kind, std::uint64_t count, const std::vector<Element>* wanted,
              const std::vector<std::string_view>& labels) {
     const FieldKindTraits& traits = TraitsOf(kind);
@@ -399,8 +398,8 @@ class MessageReader::Walk {
   std::string_view bytes_;
   std::size_t at_ = 0;
   std::vector<MessageCell>* cells_;
-  std::pair<std::string_view, std::string_view>* frames_ = nullptr;  ///< receives the frames of a
-                                                                     ///< transform
+  /// receives the frames of a transform
+  std::pair<std::string_view, std::string_view>* frames_ = nullptr;
   std::vector<std::string>* pairs_ = nullptr;
 };
 

@@ -12,30 +12,31 @@ namespace tera {
 
 /// One field of a message.
 struct MessageCell {
-  std::optional<double> number;  ///< none where the message lacks the element
+  std::optional<double> number;  ///< absent if the message lacks this element
   TimeNs stamp_ns = 0;           ///< exact value of a time or a duration
 };
 
-/// Reads fields by path: names between points, and an element of an array or a sequence in
-/// brackets. The element is given by its index from 0, by its text in the sequence `name` of the
-/// same message, or for transforms by their frames. Examples: "linear_acceleration.x",
-/// "position[2]", "position[boom]", "header.stamp",
+/// Reads fields of messages by path. A path consists of field names separated by dots. Brackets
+/// select an element of an array or sequence in one of three ways: by index from 0, by its name in
+/// the sequence `name` of the same message, or, for transforms, by its frames. Examples:
+/// "linear_acceleration.x", "position[2]", "position[boom]", "header.stamp",
 /// "transforms[odom>base_link].transform.translation.x".
 class MessageReader {
  public:
-  /// Throws BadBytes for a path that is not in the schema, that leads to neither number nor time,
-  /// or that exceeds an array.
+  /// Throws BadBytes if a path does not exist in the schema, ends at neither a number nor a time,
+  /// or exceeds the length of an array.
   MessageReader(MessageSchema schema, const std::vector<std::string>& paths);
   ~MessageReader();
 
-  /// Reads the cells of a message, one for each path. Throws BadBytes where the bytes violate the
-  /// schema, and never reads beyond their end.
+  /// Reads one cell per path from a message. Throws BadBytes if the bytes do not fit the schema;
+  /// never reads beyond their end.
   ///
-  /// Model   the wire forms of Serializer, and big-endian CDR.
+  /// Model   the encodings of Serializer, and big-endian CDR.
   void Read(std::string_view message, std::vector<MessageCell>* cells) const;
-  /// Texts of the sequence `name` of a message, which label its other sequences.
+  /// Texts of the sequence `name` of a message. They name the elements of its other sequences.
   std::vector<std::string> Labels(std::string_view message) const;
-  /// Frames of a message's transforms, "odom>base_link", without the leading '/' of ROS 1.
+  /// Frames of the transforms in a message as "odom>base_link". The leading '/' of ROS 1 is
+  /// removed.
   std::vector<std::string> FramePairs(std::string_view message) const;
   bool IsStamp(std::size_t path) const { return is_stamp_[path]; }
 

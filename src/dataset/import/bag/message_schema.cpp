@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kDeepest = 64;  ///< nesting of messages
+constexpr std::size_t kDeepest = 64;  ///< nesting limit of messages
 constexpr std::size_t kMostTypes = 4096;
 constexpr std::string_view kBlanks = " \t\r";
 
@@ -59,7 +59,7 @@ std::string_view TakeLine(std::string_view* rest) {
   return line;
 }
 
-/// Parts of a definition: that of the type itself, and those after "MSG: name" lines.
+/// Parts of a definition: the type itself, and each type after a line "MSG: name".
 std::map<std::string, std::string> PartsOf(const std::string& type, std::string_view text) {
   constexpr std::string_view kRule = "=====", kPart = "MSG:";
   std::map<std::string, std::string> parts;
@@ -78,7 +78,7 @@ std::map<std::string, std::string> PartsOf(const std::string& type, std::string_
   return parts;
 }
 
-/// A field's type as written: "float64[9]", "string<=10[<=3]".
+/// Type of a field as written, such as "float64[9]" or "string<=10[<=3]".
 struct WrittenType {
   std::string_view name;
   MessageField::Arity arity = MessageField::Arity::kOne;
@@ -111,7 +111,7 @@ class SchemaParser {
 
   MessageSchema Parse(const std::string& type) {
     TypeOf(type, 0);
-    // The message itself is numbered before its parts.
+    // The message itself gets index 0, before the types of its fields.
     return std::move(schema_);
   }
 
@@ -135,7 +135,8 @@ class SchemaParser {
     std::string_view rest = text;
     while (!rest.empty()) AddField(name, TakeLine(&rest), depth, number, &type);
     if (type.fields.empty() && schema_.form == ros::WireForm::kCdr) {
-      type.fields.push_back({"structure_needs_at_least_one_member"});  // as rosidl adds it
+      // rosidl adds this field to empty types
+      type.fields.push_back({"structure_needs_at_least_one_member"});
       type.least_bytes = 1;
     }
     type.name = name;
@@ -160,7 +161,7 @@ class SchemaParser {
                     name)};
   }
 
-  /// Adds the field of a line; a constant, a remark or an empty line adds none.
+  /// Adds the field defined in a line. A constant, a comment or an empty line defines none.
   void AddField(const std::string& owner, std::string_view line, std::size_t depth,
                 std::size_t number, MessageType* type) {
     line = Trimmed(line.substr(0, line.find('#')));
@@ -168,7 +169,7 @@ class SchemaParser {
     const std::size_t blank = line.find_first_of(kBlanks);
     std::string_view rest = Trimmed(blank == std::string_view::npos ? "" : line.substr(blank));
     const std::string_view name = rest.substr(0, rest.find_first_of(" \t="));
-    // A constant has '=' after its name; a field has at most a default after blanks.
+    // A constant has '=' after its name. A field may have a default value, separated by a blank.
     rest = Trimmed(rest.substr(name.size()));
     if (rest.starts_with('=')) return;
     if (name.empty()) throw BadBytes{fmt::format("its definition has the line '{}'", line)};
@@ -186,7 +187,7 @@ class SchemaParser {
     type->fields.push_back(std::move(field));
   }
 
-  /// Name with package; without one, the package of the enclosing message.
+  /// Full name of a type. A name without package is in the package of the enclosing message.
   static std::string FullName(const std::string& owner, std::string_view name) {
     if (name == "Header") return "std_msgs/Header";
     if (KindOf(name)) return std::string(name);
@@ -211,7 +212,7 @@ class SchemaParser {
 
   std::map<std::string, std::string> parts_;
   std::map<std::string, std::size_t> numbers_;
-  std::vector<std::size_t> depths_;  ///< nesting depth within each type
+  std::vector<std::size_t> depths_;  ///< nesting depth below each type
   MessageSchema schema_;
 };
 
@@ -234,7 +235,7 @@ bool MessageSchema::HasHeader() const {
 
 MessageSchema SchemaOf(const BagTopic& topic) {
   const ros::WireForm form = FormOf(topic);
-  // Some recorders leave out the text of a type whose definition their own ROS lacked.
+  // Some recorders leave the definition empty if they do not know the type.
   const bool is_left_out = topic.definition.empty() && ros::FindDefinition(topic.type);
   const bool readable =
       !is_left_out && (topic.schema_encoding == "ros2msg" || topic.schema_encoding == "ros1msg");

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Numbers topics across files, so that their numbers stay distinct.
+/// Renumbers the topics of several files, so that their numbers differ.
 class Renumbered : public BagVisitor {
  public:
   explicit Renumbered(BagVisitor* visitor) : visitor_(visitor) {}
@@ -35,7 +35,7 @@ class Renumbered : public BagVisitor {
   std::size_t asked_ = 0, before_ = 0;
 };
 
-/// First bytes of a file, which identify its format.
+/// First bytes of a file, by which its format is recognised.
 std::string FirstBytes(const fs::path& file) {
   constexpr std::uint64_t kMagicBytes = 7;
   BagFile bytes(file);
@@ -44,7 +44,7 @@ std::string FirstBytes(const fs::path& file) {
 
 using FileReader = bool (*)(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
 
-/// Reader for a file with these first bytes; none if they are not a bag's.
+/// Reader for a file with these first bytes; null if it is not a bag.
 FileReader ReaderOf(std::string_view first) {
   if (first.starts_with("\x89MCAP")) {
     return
@@ -92,21 +92,20 @@ bool ReadPackedFile(const fs::path& packed, const UnpackedFile& file, BagVisitor
 
 bool ReadFile(const fs::path& file, UnpackedFiles* unpacked, BagVisitor* visitor,
               bool to_the_damage) {
-  // By content, since the name of a compressed file is arbitrary.
+  // The content decides, because a compressed file may have any name.
   if (!IsZstdFrame(FirstBytes(file))) return ReadPlainFile(file, visitor, to_the_damage);
   return ReadPackedFile(file, unpacked->Of(file), visitor, to_the_damage);
 }
 
-/// The files that the metadata.yaml of a rosbag2 folder names.
+/// Files listed in the metadata.yaml of a rosbag2 folder.
 std::vector<fs::path> FilesOf(const fs::path& metadata) {
-  // Other content depends on the recorder's version and does not matter. Finished is not called,
-  // since it would report unknown keys.
+  // Finish is not called: it would report keys that differ between versions of the recorder.
   const Config config = Config::FromFile(metadata);
   const auto bag = config.root().OptionalMap("rosbag2_bagfile_information");
   std::vector<fs::path> files;
   if (bag && bag->IsList("relative_file_paths")) {
     for (const std::string& name : bag->Texts("relative_file_paths")) {
-      // Early versions wrote the folder's name before the file's.
+      // Early versions wrote the name of the folder in front of the file name.
       files.push_back(metadata.parent_path() / fs::path(name).filename());
     }
   }
@@ -149,7 +148,7 @@ void ReadBag(const fs::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
       if (!ReadFile(file, unpacked, &numbered, to_the_damage)) return;
     } catch (const BagDamage& found) {
       if (!to_the_damage) throw;
-      // Later files may be whole.
+      // Later files may be undamaged.
       if (!damage) damage = found;
     }
   }

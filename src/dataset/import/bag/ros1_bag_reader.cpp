@@ -23,7 +23,7 @@ enum Operation : std::uint8_t {
   kConnection = 0x07
 };
 
-/// Fields of a header: "name=value", each after its length.
+/// Fields of a record header. Each is a length and "name=value".
 class Fields {
  public:
   explicit Fields(std::string_view bytes) {
@@ -90,7 +90,7 @@ class Ros1BagReader {
 
  private:
   struct Connection {
-    std::size_t number = 0;  ///< the topic's number for the visitor
+    std::size_t number = 0;  ///< index of the topic for BagVisitor::Take
     bool wanted = false;
   };
 

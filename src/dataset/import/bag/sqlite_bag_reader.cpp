@@ -12,7 +12,7 @@
 #include "dataset/import/bag/unpack.h"
 
 // Source  ros2/rosbag2, rosbag2_storage_default_plugins (Humble) and rosbag2_storage_sqlite3
-//         (Jazzy). The latter's table message_definitions has schema version 4.
+//         (Jazzy), whose table message_definitions has schema version 4.
 
 namespace tera {
 namespace {
@@ -23,14 +23,14 @@ class SqliteBagReader {
  public:
   SqliteBagReader(const std::filesystem::path& file, BagVisitor* visitor, bool to_the_damage)
       : file_(file), visitor_(visitor) {
-    BagFile(file).Read(0, 0);  // throws if the file is not readable
+    BagFile(file).Read(0, 0);  // throws if the file is unreadable
     sqlite3* handle = nullptr;
     const char* access = IsUnpackedFile(file) ? SqliteWholeFile() : nullptr;
     const int status = sqlite3_open_v2(file.c_str(), &handle, SQLITE_OPEN_READONLY, access);
     database_.reset(handle);
     Require(status);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, static_cast<int>(kMostPieceBytes));
-    // Views and triggers of the file do not run. A truncated file stays readable up to its end.
+    // The file's views and triggers must not run. A truncated file can be read up to its end.
     Execute("PRAGMA trusted_schema=OFF; PRAGMA cell_size_check=ON;");
     if (to_the_damage) Execute("PRAGMA writable_schema=ON;");
   }
@@ -49,7 +49,7 @@ class SqliteBagReader {
 
  private:
   struct Topic {
-    std::size_t number = 0;  ///< the topic's number for the visitor
+    std::size_t number = 0;  ///< index of the topic for BagVisitor::Take
     std::string name;
     bool wanted = false;
   };
@@ -70,7 +70,7 @@ class SqliteBagReader {
     Require(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr));
     return {statement, &sqlite3_finalize};
   }
-  /// Advances; false after the last row.
+  /// Advances to the next row; returns false after the last.
   bool Step(const Statement& statement) const {
     const int status = sqlite3_step(statement.get());
     Require(status);
@@ -84,17 +84,16 @@ class SqliteBagReader {
                : std::string(static_cast<const char*>(text), static_cast<std::size_t>(bytes));
   }
 
-  /// Throws for a truncated file. SQLite does not notice missing pages that it does not reach, nor
-  /// a cut last page.
+  /// Throws for a truncated file. SQLite itself does not report missing pages that a query does not
+  /// reach, nor an incomplete last page.
   ///
-  /// Source  "Database File Format", sqlite.org: size of a page at 16, number of pages at 28.
+  /// Source  "Database File Format", sqlite.org: page size at byte 16, page count at byte 28.
   void RequireWhole() const {
     constexpr std::uint64_t kHeadBytes = 100, kLargestPage = 65536;
     BagFile file(file_);
     const std::string head = file.Read(0, std::min(file.size(), kHeadBytes));
     if (std::filesystem::exists(file_.string() + "-wal"))
-      return;  // the -wal file may hold the
-               // rest
+      return;  // the rest may be in the -wal file
     const auto number = [&](std::size_t at, std::size_t bytes) {
       std::uint64_t value = 0;
       for (std::size_t k = at; k < at + bytes; ++k) {
@@ -118,7 +117,7 @@ class SqliteBagReader {
     return Step(query);
   }
 
-  /// Definitions by type; empty before schema version 4.
+  /// Message definitions by type; empty for schema versions before 4.
   std::map<std::string, std::pair<std::string, std::string>> Definitions() const {
     std::map<std::string, std::pair<std::string, std::string>> definitions;
     if (!HasTable("message_definitions")) return definitions;
@@ -149,7 +148,7 @@ class SqliteBagReader {
     return true;
   }
 
-  /// Shows one topic after the other, so that SQLite skips the data of unwanted messages.
+  /// Reads topic by topic, so that SQLite skips the data of unwanted topics.
   bool ShowMessages() const {
     const Statement query =
         Prepare("SELECT timestamp, data, id FROM messages WHERE topic_id = ? ORDER BY id");
@@ -159,7 +158,7 @@ class SqliteBagReader {
       sqlite3_bind_int64(query.get(), 1, id);
       std::optional<std::int64_t> before;
       for (std::int64_t row = 1; Step(query); ++row) {
-        // A damaged file may link a page twice, and would repeat its rows without end.
+        // A damaged file may link to a page twice, which would repeat its rows forever.
         const std::int64_t id_of_row = sqlite3_column_int64(query.get(), 2);
         if (before && id_of_row <= *before) Require(SQLITE_CORRUPT);
         before = id_of_row;

@@ -22,7 +22,7 @@ int DescriptorOf(sqlite3_file* file) { return static_cast<OpenFile*>(file)->desc
 
 int Close(sqlite3_file* file) { return ::close(DescriptorOf(file)), SQLITE_OK; }
 
-/// Bytes beyond the file's end are 0, as SQLite demands.
+/// SQLite requires that bytes beyond the end of the file read as 0.
 int Read(sqlite3_file* file, void* to, int count, sqlite3_int64 at) {
   char* bytes = static_cast<char*>(to);
   while (count > 0) {
@@ -61,13 +61,13 @@ const sqlite3_io_methods kReading = {
     .xDeviceCharacteristics = [](sqlite3_file*) { return SQLITE_IOCAP_IMMUTABLE; },
 };
 
-/// Opens the database. Temporary files, in which SQLite sorts, use SQLite's default access.
+/// Opens the database. Temporary files for sorting use SQLite's default VFS.
 int Open(sqlite3_vfs*, const char* path, sqlite3_file* file, int flags, int* done_flags) {
   if ((flags & SQLITE_OPEN_MAIN_DB) == 0) {
     sqlite3_vfs* own = sqlite3_vfs_find(nullptr);
     return own->xOpen(own, path, file, flags, done_flags);
   }
-  file->pMethods = nullptr;  // without methods, SQLite does not close the file
+  file->pMethods = nullptr;  // without methods, SQLite does not try to close the file
   const int descriptor = ::open(path, O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return SQLITE_CANTOPEN;
   static_cast<OpenFile*>(file)->descriptor = descriptor;
@@ -93,7 +93,7 @@ sqlite3_vfs Access() {
 }  // namespace
 
 const char* SqliteWholeFile() {
-  // SQLite keeps a pointer to this in its list of accesses.
+  // SQLite keeps a pointer to the registered VFS.
   static sqlite3_vfs access = Access();
   static const int status = sqlite3_vfs_register(&access, /*makeDflt=*/0);
   return status == SQLITE_OK ? access.zName : nullptr;

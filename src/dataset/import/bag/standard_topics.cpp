@@ -32,7 +32,7 @@ constexpr std::array<Row, 7> kFix = {{{"lat", "latitude", kDeg, true},
                                       {"var_n", "position_covariance[4]", 1.0, true},
                                       {"var_u", "position_covariance[8]", 1.0, true}}};
 
-/// Below where a type has its pose.
+/// Fields of a pose, relative to the place of the pose in each type.
 constexpr std::array<Row, 7> kPose = {{{"x", "position.x"},
                                        {"y", "position.y"},
                                        {"z", "position.z"},
@@ -57,7 +57,7 @@ constexpr std::array<Row, 7> kPos = {{{"lat", "latitude", kDeg},
                                       {"var_e", "var_e"},
                                       {"var_n", "var_n"},
                                       {"var_u", "var_u"}}};
-/// Rows of NMEA without a fix have no place, and without GST no variances.
+/// An NMEA row has no position without a fix, and no variances without a GST sentence.
 constexpr std::array<Row, 7> kNmea = {{{"lat", "latitude", kDeg, true},
                                        {"lon", "longitude", kDeg, true},
                                        {"alt", "altitude", 1.0, true},
@@ -92,7 +92,7 @@ std::optional<StandardColumn> Find(const Rows& rows, std::string_view key,
   return std::nullopt;
 }
 
-/// Counts messages by the names in them.
+/// Counts messages by the names that they contain.
 class NamesOfMessages : public BagVisitor {
  public:
   explicit NamesOfMessages(const BagTopic& topic) : topic_(topic), reader_(SchemaOf(topic), {}) {}
@@ -106,7 +106,7 @@ class NamesOfMessages : public BagVisitor {
       if (!HoldsTransforms(topic_.type)) return true;
       for (const std::string& pair : reader_.FramePairs(message.bytes)) ++counts_[{pair}];
     } catch (const BadBytes&) {
-      // The import of the topic reports the damage.
+      // The import of this topic will report the damage.
     }
     return true;
   }
@@ -118,7 +118,7 @@ class NamesOfMessages : public BagVisitor {
   std::map<std::vector<std::string>, std::int64_t> counts_;
 };
 
-/// Reads a topic's first message only.
+/// Reads only the first message of a topic.
 class FirstMessage : public BagVisitor {
  public:
   explicit FirstMessage(const BagTopic& topic) : topic_(topic) {}
@@ -172,11 +172,11 @@ std::map<std::vector<std::string>, std::int64_t> NamesInMessages(const std::file
     try {
       ReadBag(bag, unpacked, &names, /*to_the_damage=*/true);
     } catch (const BagDamage&) {
-      // The messages before the damage count.
+      // Messages before the damage are counted.
     }
     return names.counts();
   } catch (const BadBytes&) {
-    return {};  // its definition cannot be read
+    return {};  // the definition is unreadable
   }
 }
 

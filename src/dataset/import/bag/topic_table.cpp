@@ -36,7 +36,7 @@ class TopicFinder : public BagVisitor {
   FoundTopic* found_;
 };
 
-/// "log.mcap: topic /imu (sensor_msgs/Imu)"
+/// Place of a topic for messages: "log.mcap: topic /imu (sensor_msgs/Imu)".
 std::string TopicPlace(const std::filesystem::path& bag, const BagTopic& topic) {
   return fmt::format("{}: topic {} ({})", bag.string(), topic.name, topic.type);
 }
@@ -50,7 +50,8 @@ FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
   try {
     ReadBag(bag, unpacked, &finder, /*to_the_damage=*/true);
   } catch (const BagDamage&) {
-    // The reader of the topic's messages reports the damage. Without the topic nobody else would.
+    // If the topic is known, reading its messages will report the damage. Without any topic,
+    // nothing else would.
     if (!found.topic && found.names.empty()) throw;
   }
   return found;
@@ -68,7 +69,7 @@ std::string MessagePlace(const std::filesystem::path& bag, const BagTopic& topic
   return fmt::format("{}: {} message {}", bag.string(), topic.name, number);
 }
 
-/// Writes messages into the table's columns.
+/// Fills the columns of the table from messages.
 class TopicTable::Filler : public BagVisitor {
  public:
   Filler(TopicTable* table, LeftOutRows* left_out) : table_(table), left_out_(left_out) {
@@ -102,7 +103,7 @@ class TopicTable::Filler : public BagVisitor {
   }
 
  private:
-  /// Each publisher of a topic may have its own definition.
+  /// Publishers of a topic may use different definitions, so there is one reader per definition.
   std::shared_ptr<const MessageReader> ReaderOf(const BagTopic& topic) {
     try {
       auto reader = std::make_shared<const MessageReader>(SchemaOf(topic), paths_);

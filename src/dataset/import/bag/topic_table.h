@@ -12,31 +12,30 @@
 namespace tera {
 
 inline constexpr const char* kHeaderStamp = "header.stamp";
-/// Column of the messages' recording times.
+/// Name of the column with the recording times of the messages.
 inline constexpr const char* kLogTime = "log_time";
 
 struct FoundTopic {
   std::optional<BagTopic> topic;
-  std::vector<std::string> names;  ///< all topics, where the name was not found
+  std::vector<std::string> names;  ///< names of all topics, only if the topic was not found
 };
 
-/// Looks up a topic, reading as little of the bag as possible. Damage counts as the bag's end.
+/// Finds a topic by name. Reads as little of the bag as possible; the search ends at damage.
 FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
                      UnpackedFiles* unpacked);
 
-/// Whether a topic's messages begin with a header; false where its definition is unreadable.
+/// True if messages of the topic begin with a header. False if the definition is unreadable.
 bool HasHeader(const BagTopic& topic);
 
-/// "log.mcap: /imu message 12"
+/// Place of a message for error texts: "log.mcap: /imu message 12".
 std::string MessagePlace(const std::filesystem::path& bag, const BagTopic& topic, int number);
 
-/// Fields of a topic's messages in memory, one row for each message. Nothing else of the messages
-/// is kept.
+/// Selected fields of all messages of a topic, in memory, with one row per message.
 class TopicTable final : public RowTable {
  public:
-  /// `paths` as in MessageReader, or kLogTime. Throws the faults of ReadBag and MessageReader. With
-  /// `left_out`, unreadable messages and damage are added to it instead, and all content before the
-  /// damage is read.
+  /// Each path is a path of MessageReader or kLogTime. Throws as ReadBag and MessageReader do. With
+  /// `left_out`, unreadable messages and damage are recorded there instead, and the bag is read up
+  /// to the damage.
   TopicTable(const std::filesystem::path& bag, const BagTopic& topic,
              const std::vector<std::string>& paths, UnpackedFiles* unpacked, LeftOutRows* left_out);
 
@@ -57,7 +56,7 @@ class TopicTable final : public RowTable {
     std::string path;
     std::vector<std::optional<double>> numbers;
     bool is_stamp = false;
-    std::vector<TimeNs> stamps_ns;  ///< for columns of times
+    std::vector<TimeNs> stamps_ns;  ///< only for a column of times
   };
 
   std::filesystem::path bag_;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kStepBytes = std::size_t{1} << 20;
 
-/// Extends `bytes` in steps, at most to `most` + 1; the extra byte reveals an excess.
+/// Enlarges `bytes` in steps to at most `most` + 1. The extra byte shows whether the content
+/// exceeds `most`.
 std::size_t Grow(std::string* bytes, std::uint64_t most) {
   const std::size_t had = bytes->size();
   const std::uint64_t step = std::clamp<std::uint64_t>(had, 1, kStepBytes * 64);
@@ -33,7 +34,7 @@ void RequireSize(std::uint64_t found, std::uint64_t declared) {
   throw BadBytes{fmt::format("the bytes cannot be unpacked by {}: {}", library, reason)};
 }
 
-/// Unpacks a zstd stream, at most `most` + 1 bytes.
+/// Decompresses a zstd stream to at most `most` + 1 bytes.
 std::string ByZstd(std::string_view packed, std::uint64_t most) {
   const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
                                                                           &ZSTD_freeDStream);
@@ -102,7 +103,7 @@ std::string UnpackedBzip2(std::string_view packed, std::uint64_t size) {
   if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) FailUnpacking("bzip2", "no memory");
   const std::unique_ptr<bz_stream, decltype(&BZ2_bzDecompressEnd)> end(&stream,
                                                                        &BZ2_bzDecompressEnd);
-  stream.next_in = const_cast<char*>(packed.data());  // not written to
+  stream.next_in = const_cast<char*>(packed.data());  // bzip2 does not write to its input
   stream.avail_in = static_cast<unsigned>(packed.size());
   std::string bytes;
   int status = BZ_OK;

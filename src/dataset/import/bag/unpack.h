@@ -6,13 +6,14 @@
 
 namespace tera {
 
-/// Decompress chunks and messages. Memory grows with the actual content, not with the declared
-/// size. Throw BadBytes for bad data, or where the result has not the declared `size`.
+/// Decompress chunks and messages. The memory in use grows with the real content, not with the
+/// declared size. Throw BadBytes for invalid data and if the result does not have the declared
+/// `size`.
 std::string UnpackedZstd(std::string_view packed, std::uint64_t size);
 std::string UnpackedLz4(std::string_view packed, std::uint64_t size);
 std::string UnpackedBzip2(std::string_view packed, std::uint64_t size);
 
-/// Decompresses a zstd frame, with or without a declared size, up to kMostPieceBytes.
+/// Decompresses a zstd frame of up to kMostPieceBytes. The frame need not declare its size.
 std::string UnpackedZstd(std::string_view packed);
 bool IsZstdFrame(std::string_view bytes);
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr const char* kOpenFiles = "/proc/self/fd";
 constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
-constexpr std::uint64_t kMostExpanded = 1000;  ///< ratio of sizes; for bags some ten
+constexpr std::uint64_t kMostExpanded = 1000;  ///< ratio of sizes; about ten is usual for bags
 constexpr std::uint64_t kLeftFree = std::uint64_t{64} << 20;
 
-/// Most bytes to unpack from a file of this size, by its ratio and the disk's free space.
+/// Limit of the decompressed size, from the ratio and the free disk space.
 std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uint64_t size) {
   std::error_code ignored;
   const std::uint64_t room = fs::space(folder, ignored).available;
@@ -39,7 +39,6 @@ std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uin
   return std::min(most, room - kLeftFree);
 }
 
-/// Creates a file without a name, open for writing.
 int NamelessFile(const fs::path& folder) {
   std::string name = (folder / "tera_bag_XXXXXX").string();
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);

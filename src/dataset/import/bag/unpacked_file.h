@@ -7,12 +7,13 @@
 
 namespace tera {
 
-/// A bag's file compressed as a whole by zstd, unpacked for the lifetime of this object.
+/// A bag file that is compressed as a whole by zstd. It is decompressed for the lifetime of this
+/// object.
 ///
-/// Model   written piece by piece into a file without a name in the folder for temporary files. The
-///         system frees its space when this program ends, however it does. Content that expands
-///         more than a thousandfold, or beyond the disk's free space, is refused.
-/// Throws  InputError where it cannot be read or there is no room.
+/// Model   The content is written in pieces to an unnamed file in the folder for temporary files.
+///         The system frees its space when the program ends for any reason. Content is refused if
+///         it expands more than a thousandfold or exceeds the free disk space.
+/// Throws  InputError if the file cannot be read or the space is insufficient.
 class UnpackedFile {
  public:
   explicit UnpackedFile(const std::filesystem::path& packed);
@@ -20,11 +21,11 @@ class UnpackedFile {
   UnpackedFile(const UnpackedFile&) = delete;
   UnpackedFile& operator=(const UnpackedFile&) = delete;
 
-  /// Path for this program alone: a link in /proc to the unnamed file.
+  /// Path of the unnamed file, a link in /proc. Only this process can use it.
   const std::filesystem::path& path() const { return path_; }
-  /// Damage of the packed bytes from some place on; the content before it is unpacked.
+  /// Message about damage in the compressed data. The content before the damage is decompressed.
   const std::optional<std::string>& damage() const { return damage_; }
-  /// Rewrites a message about this file as one about the packed file.
+  /// Replaces the temporary path in a message by the path of the compressed file.
   std::string OfPacked(const std::string& message) const;
 
  private:
@@ -36,17 +37,18 @@ class UnpackedFile {
   std::optional<std::string> damage_;
 };
 
-/// Whether a path is that of an UnpackedFile.
+/// True for a path that UnpackedFile::path returned.
 bool IsUnpackedFile(const std::filesystem::path& path);
 
-/// Unpacked files for repeated reading, as an import does for each channel. Each is unpacked on
-/// first use, and kept unchanged for the lifetime of this object.
+/// Cache of decompressed files. An import reads a file once per channel. A file is decompressed at
+/// its first use.
 class UnpackedFiles {
  public:
   const UnpackedFile& Of(const std::filesystem::path& packed);
 
  private:
-  std::map<std::filesystem::path, UnpackedFile> files_;  ///< key: absolute path of the packed file
+  std::map<std::filesystem::path, UnpackedFile> files_;  ///< by absolute path of the compressed
+                                                         ///< file
 };
 
 }  // namespace tera

@@ -13,8 +13,8 @@ namespace tera {
 namespace {
 
 constexpr double kLeastCorrelation = 0.85, kLeastOfStretch = 0.8;
-/// Least length of the compared segment, in widths of the correlation's peak; with less, a peak may
-/// be chance.
+/// Least length of the compared segment, in widths of the correlation peak. In a shorter segment, a
+/// peak may be chance.
 constexpr double kFewestEvents = 20;
 constexpr std::size_t kFewestStretches = 5;
 constexpr double kSegment_s = 600, kMostLag_s = 60;
@@ -26,7 +26,7 @@ double Student(std::size_t freedom) {
   constexpr std::array<double, 11> kTable = {12.71, 12.71, 4.30, 3.18, 2.78, 2.57,
                                              2.45,  2.36,  2.31, 2.26, 2.23};
   if (freedom < kTable.size()) return kTable[freedom];
-  return 1.96 + 2.5 / static_cast<double>(freedom);  // within 0.02 from there on
+  return 1.96 + 2.5 / static_cast<double>(freedom);  // error below 0.02
 }
 
 struct Line {
@@ -34,7 +34,7 @@ struct Line {
   double origin_bound = 0, slope_bound = 0;
 };
 
-/// A weighted straight line through lags over the channel's stamps, from `origin_s` on.
+/// Weighted straight line through the lags, over the channel's stamps since `origin_s`.
 Line Fitted(const std::vector<Stretch>& stretches, double origin_s) {
   const auto n = static_cast<Eigen::Index>(stretches.size());
   Eigen::MatrixX2d X(n, 2);
@@ -57,7 +57,7 @@ Line Fitted(const std::vector<Stretch>& stretches, double origin_s) {
           t * std::sqrt(variance * inverse(1, 1))};
 }
 
-/// The stretches near the line through the majority.
+/// Stretches close to the line through the majority.
 std::vector<Stretch> WithoutOutliers(const std::vector<Stretch>& stretches, const Line& line,
                                      double origin_s) {
   constexpr double kSigmas = 4, kSigmaOfMedian = 1.4826, kLeast_s = 1e-3;
@@ -73,7 +73,7 @@ std::vector<Stretch> WithoutOutliers(const std::vector<Stretch>& stretches, cons
   return kept;
 }
 
-/// The pair of series with the best correlation, and its lag.
+/// The two series with the highest correlation, and their lag.
 struct BestPair {
   const MotionSeries* reference = nullptr;
   const MotionSeries* channel = nullptr;
@@ -101,8 +101,7 @@ double AverageOf_s(const BestPair& pair) {
 }  // namespace
 
 bool ClockDifference::IsCertain() const {
-  constexpr double kBounds =
-      2;  // factor on the bounds, against chance among many pairs of channels
+  constexpr double kBounds = 2;  // widens the bounds, because many pairs of channels are compared
   return std::abs(ahead_s) > kBounds * ahead_bound_s || std::abs(drift) > kBounds * drift_bound;
 }
 

@@ -11,12 +11,12 @@ namespace {
 constexpr float kNoMean = std::numeric_limits<float>::quiet_NaN();
 constexpr double kCoarseStep_s = 0.1, kCoarseAverage_s = 0.2;
 constexpr double kShortestSegment_s = 20;
-/// Least share of present values in a usable segment.
+/// Least fraction of present values in a usable segment.
 constexpr double kLeastFilled = 0.7;
-/// Factor by which the highest peak must exceed the next.
+/// Factor by which the highest correlation peak must exceed the second.
 constexpr double kExcels = 7.0 / 6;
 
-/// Moving mean over an odd number of values, of the present ones, if most are present.
+/// Moving mean over an odd number of values. Missing values are ignored if most are present.
 std::vector<float> Averaged(const std::vector<float>& values, std::size_t half) {
   if (half == 0) return values;
   std::vector<double> sums(values.size() + 1, 0);
@@ -37,7 +37,7 @@ std::vector<float> Averaged(const std::vector<float>& values, std::size_t half) 
   return means;
 }
 
-/// Equally spaced values of a series minus their mean, 0 for missing ones.
+/// Equally spaced values of a series minus their mean. Missing values are 0.
 struct Samples {
   std::vector<float> values;
   std::size_t filled = 0;
@@ -66,7 +66,7 @@ double Energy(const float* from, std::size_t count) {
 
 using Vector = Eigen::Map<const Eigen::VectorXf>;
 
-/// The correlation at each lag, from -most on.
+/// Correlation at each lag from -most to most.
 std::vector<double> Correlations(const std::vector<float>& a, const std::vector<float>& b) {
   const double energy_a = Energy(a.data(), a.size());
   const double most_b = Energy(b.data(), b.size());
@@ -75,7 +75,7 @@ std::vector<double> Correlations(const std::vector<float>& a, const std::vector<
   double energy_b = Energy(b.data(), a.size());
   for (std::size_t lag = 0; lag + a.size() <= b.size(); ++lag) {
     const float sum = Vector(a.data(), size).dot(Vector(b.data() + lag, size));
-    // A segment of the second series with little motion does not count, even with a good fit.
+    // A segment of the second series with little motion is ignored, even if it correlates well.
     const bool tells = energy_a > 0 && energy_b > 0.1 * most_b * static_cast<double>(a.size()) /
                                                       static_cast<double>(b.size());
     all.push_back(tells ? sum / std::sqrt(energy_a * energy_b) : 0);
@@ -86,7 +86,7 @@ std::vector<double> Correlations(const std::vector<float>& a, const std::vector<
   return all;
 }
 
-/// Distance from the peak to half its height, on the wider side.
+/// Distance from the peak to half of its height, on the wider side.
 std::size_t HalfWidth(const std::vector<double>& heights, std::size_t peak) {
   std::size_t below = 1, above = 1;
   while (below <= peak && heights[peak - below] > 0.5 * heights[peak]) ++below;
@@ -94,7 +94,7 @@ std::size_t HalfWidth(const std::vector<double>& heights, std::size_t peak) {
   return std::max(below, above);
 }
 
-/// The start of the part of the first series with the most motion.
+/// Start of the segment of the first series that has the most motion.
 double LiveliestFrom(const SmoothSeries& series, double length_s, double step_s) {
   const auto count = static_cast<std::size_t>((series.last_s() - series.first_s()) / step_s) + 1;
   const Samples all = Centred(series, series.first_s(), step_s, count);
@@ -225,7 +225,7 @@ std::optional<Stretch> StretchedLags::Near(double from_s, double length_s, doubl
   if (at == 0 || at == 2 * reach || r < least_correlation || best->motion < least_motion) {
     return std::nullopt;
   }
-  // The top of the parabola through the three highest values.
+  // Vertex of the parabola through the three highest values.
   const double below = sign * (best - 1)->correlation, above = sign * (best + 1)->correlation;
   const double bend = below - 2 * r + above;
   if (!(bend < 0)) return std::nullopt;
@@ -237,7 +237,7 @@ std::optional<Stretch> StretchedLags::Near(double from_s, double length_s, doubl
 
 std::vector<Stretch> StretchedLags::All(const CoarseLag& coarse, double length_s,
                                         double least_correlation) const {
-  constexpr double kLeastMotion = 0.25;  // share of the motion in the liveliest segment
+  constexpr double kLeastMotion = 0.25;  // relative to the segment with the most motion
   const double sign = coarse.opposite ? -1 : 1;
   const double least_motion =
       kLeastMotion * At(coarse.from_s, coarse.length_s, coarse.lag_s).motion;

@@ -5,16 +5,17 @@
 
 #include "dataset/import/clocks/motion_series.h"
 
-/// Lag l between two series: the second shows at t + l what the first shows at t.
+/// Search for the lag between two series. With lag l, the second series shows at t + l what the
+/// first shows at t.
 
 namespace tera {
 
-/// Values of a series by time in s, averaged over the same interval as another's.
+/// A series that is averaged so that two series have the same averaging interval.
 class SmoothSeries {
  public:
   SmoothSeries(const MotionSeries& series, double averaged_s);
 
-  /// Linear interpolation; NaN for missing values.
+  /// Linear interpolation; NaN where values are missing.
   float At(double t_s) const;
   double first_s() const { return first_s_; }
   double last_s() const;
@@ -26,33 +27,34 @@ class SmoothSeries {
 
 struct CoarseLag {
   double lag_s = 0;
-  double from_s = 0, length_s = 0;  ///< compared segment of the first series
+  double from_s = 0, length_s = 0;  ///< segment of the first series that was compared
   double correlation = 0;
-  double width_s = 0;     ///< half height width of the correlation's peak
+  double width_s = 0;     ///< half width of the correlation peak at half height
   bool opposite = false;  ///< the series have opposite signs
-  /// No other lag has a similar correlation.
+  /// True if no other lag has a similar correlation.
   bool is_alone = false;
 };
 
-/// Returns nothing if the series share no comparable segment.
+/// Returns nullopt if the series have no segment in common that can be compared.
 std::optional<CoarseLag> FindCoarseLag(const MotionSeries& first, const MotionSeries& second,
                                        double longest_segment_s, double most_lag_s);
 
-/// The lag of a stretch of the first series.
+/// Lag of a short stretch of the first series.
 struct Stretch {
-  double middle_s = 0;  ///< by the first series' clock
+  double middle_s = 0;  ///< time on the first series' clock
   double lag_s = 0;
-  double weight = 0;  ///< inverse variance of the lag, up to a factor
+  double weight = 0;  ///< proportional to the inverse variance of the lag
 };
 
 class StretchedLags {
  public:
   StretchedLags(const MotionSeries& first, const MotionSeries& second, double averaged_s);
 
-  /// Duration for which both series exist at a lag.
+  /// Duration for which both series have values at a lag.
   double overlap_s(double lag_s) const;
-  /// All stretches of a length with enough motion and correlation, in order of time. Each search
-  /// starts at the neighbour's lag, from the segment of `coarse` outwards.
+  /// Lags of all stretches of length `length_s` that have enough motion and correlation, in order
+  /// of time. The search starts in the segment of `coarse` and proceeds outwards; each stretch
+  /// starts from the lag of its neighbour.
   std::vector<Stretch> All(const CoarseLag& coarse, double length_s,
                            double least_correlation) const;
 

@@ -16,12 +16,12 @@ constexpr std::size_t kMostCells = 1'000'000, kFewestRows = 100;
 constexpr TimeNs kLongestGap_ns = kNsPerSecond;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-/// Half of the interval for a receiver's velocity and course rate.
+/// Half of the interval over which a receiver's velocity and course rate are computed.
 constexpr TimeNs kHalfOfVelocity_ns = 250'000'000, kHalfOfCourse_ns = 500'000'000;
-/// Below this speed, noise dominates a receiver's course.
+/// Below this speed, noise dominates the course of a receiver.
 constexpr double kLeastSpeed_mps = 0.3;
 
-/// Interpolates missing cells linearly between neighbours at most `most_cells` apart.
+/// Interpolates missing values linearly between neighbours at most `most_cells` apart.
 void Bridge(std::size_t most_cells, std::vector<float>* values) {
   std::optional<std::size_t> before;
   for (std::size_t k = 0; k < values->size(); ++k) {
@@ -37,7 +37,7 @@ void Bridge(std::size_t most_cells, std::vector<float>* values) {
   }
 }
 
-/// A receiver's positions with a fix.
+/// Positions of a receiver that have a fix.
 class FixTrack {
  public:
   explicit FixTrack(const std::vector<GnssSample>& samples) {
@@ -57,7 +57,7 @@ class FixTrack {
     return velocity ? velocity->norm() : kNothing;
   }
 
-  /// Rate of turn of its course, rad/s.
+  /// Turn rate of the course in rad/s.
   double CourseRateAt(TimeNs t_ns) const {
     const auto from = VelocityAt(t_ns - kHalfOfCourse_ns), to = VelocityAt(t_ns + kHalfOfCourse_ns);
     if (!from || !to || from->norm() < kLeastSpeed_mps || to->norm() < kLeastSpeed_mps) {

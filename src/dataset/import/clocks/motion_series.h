@@ -9,35 +9,36 @@
 
 namespace tera {
 
-/// Kind of motion in a series. Series of one kind can show the same motion.
+/// Kind of motion. Two series can be compared only if they have the same kind.
 enum class MotionKind {
-  kTurn,       ///< rad/s about some axis, with a channel-dependent sign
-  kTurnSize,   ///< rad/s about any axis, unsigned
-  kSpeedSize,  ///< proportional to the ground speed in m/s, unsigned
+  kTurn,       ///< turn rate about one axis, in rad/s; the sign depends on the channel
+  kTurnSize,   ///< magnitude of the turn rate, in rad/s
+  kSpeedSize,  ///< magnitude proportional to the ground speed in m/s
 };
 
-/// A motion over time on a grid of its channel's own clock.
+/// A motion on a regular time grid of the channel's own clock.
 struct MotionSeries {
-  std::string what;  ///< "wy", "boom", "course rate"
+  std::string what;  ///< name, such as "wy", "boom" or "course rate"
   MotionKind kind = MotionKind::kTurn;
   TimeNs first_ns = 0, step_ns = 0;
-  /// Averaging time of the values about their own time, s.
+  /// Interval over which each value is an average, centred on its time, in s.
   double averaged_s = 0;
-  std::vector<float> values;  ///< NaN for missing values
+  std::vector<float> values;  ///< NaN where missing
 
   TimeNs end_ns() const { return first_ns + step_ns * static_cast<TimeNs>(values.size()); }
 };
 
-/// The motions in one channel.
+/// Motions measured by one channel.
 struct ChannelMotion {
   std::string path;
-  std::string clock;      ///< equal for channels with the same clock
-  double interval_s = 0;  ///< between rows
+  std::string clock;      ///< equal for channels that share a clock
+  double interval_s = 0;  ///< interval between rows
   std::vector<MotionSeries> series;
 };
 
-/// Series from a channel's `count` rows: means over steps of the median interval, at least 5 ms.
-/// Gaps up to a second are interpolated linearly; longer ones stay empty.
+/// Resamples a channel's `count` rows to a grid. The step is the median interval, at least 5 ms.
+/// Values are means over the step. Gaps of up to a second are interpolated linearly; longer gaps
+/// stay empty.
 class MotionGrid {
  public:
   MotionGrid(std::size_t count, const std::function<TimeNs(std::size_t)>& time);
@@ -55,19 +56,20 @@ class MotionGrid {
   std::size_t cells_ = 0;
 };
 
-/// The sample of a row of a channel of `count` rows.
+/// Returns the sample of a row.
 template <typename Sample>
 using SampleOfRow = std::function<Sample(std::size_t row)>;
 
-/// Motion of an inertial unit: about each axis, and the total rate.
+/// Motions of an IMU: the rate about each axis, and the total rate.
 std::vector<MotionSeries> MotionOf(std::size_t count, const SampleOfRow<ImuSample>& sample);
-/// Motion of encoders. Each turning joint, and sums of neighbours, since a link turns by the sum of
-/// the preceding joints. Also each joint's magnitude, as a turn and as a drive.
+/// Motions of encoders: the rate of each revolute joint, and sums of neighbouring joints, because
+/// the rotation of a link is the sum of the joints before it. Also the magnitude of each joint's
+/// rate, both as a turn rate and as a drive speed.
 std::vector<MotionSeries> MotionOf(const std::vector<EncoderAxis>& axes,
                                    const std::vector<EncoderSample>& samples);
-/// Motion of a receiver: speed, and course rate while moving.
+/// Motions of a GNSS receiver: speed, and course rate while moving.
 std::vector<MotionSeries> MotionOf(const std::vector<GnssSample>& samples);
-/// Motion of poses: speed, turn about the world's z, and total turn.
+/// Motions of poses: speed, turn rate about the world's z axis, and total turn rate.
 std::vector<MotionSeries> MotionOf(std::size_t count, const SampleOfRow<TruthPose>& pose);
 
 }  // namespace tera

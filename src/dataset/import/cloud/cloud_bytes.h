@@ -16,22 +16,21 @@
 
 namespace tera {
 
-/// Parsers of ReadPointCloud's formats, each from the bytes of a whole file. They throw InputError;
-/// the caller checks for an empty cloud.
+/// Parse the content of a whole file. Throw InputError for an invalid file. The caller must check
+/// for an empty cloud.
 PointCloud ParsePcd(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParsePly(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParseLas(const std::filesystem::path& file, std::string_view bytes);
 
-/// Throws the InputError for an unusable file.
 [[noreturn]] inline void RefuseCloud(const std::filesystem::path& file,
                                      const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));
 }
 
-/// Largest number of points in a file: 2.4 GB as PointCloud.
+/// Largest accepted number of points, which takes 2.4 GB as PointCloud.
 inline constexpr std::uint64_t kMostCloudPoints = 100'000'000;
 
-/// Refuses a number of points above kMostCloudPoints.
+/// Throws InputError if the number of points exceeds kMostCloudPoints.
 inline void RequirePointCount(const std::filesystem::path& file, std::uint64_t count) {
   if (count > kMostCloudPoints) {
     RefuseCloud(file, fmt::format("{} points declared, need at most {}; thin it or cut out the "
@@ -40,7 +39,7 @@ inline void RequirePointCount(const std::filesystem::path& file, std::uint64_t c
   }
 }
 
-/// Adds a point, or counts it as without place.
+/// Adds a point. A point that is not finite is only counted.
 inline void AddPoint(const Vec3& p_m, PointCloud* cloud) {
   if (p_m.allFinite()) {
     cloud->p_m.push_back(p_m);
@@ -49,7 +48,7 @@ inline void AddPoint(const Vec3& p_m, PointCloud* cloud) {
   }
 }
 
-/// A number in memory order at the beginning of `bytes`; `swapped` reverses the bytes.
+/// Number at the beginning of `bytes` in native byte order, or in reversed order if `swapped`.
 template <typename T>
 T NumberAt(const char* bytes, bool swapped = false) {
   static_assert(std::endian::native == std::endian::little);

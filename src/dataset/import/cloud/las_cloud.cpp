@@ -2,7 +2,7 @@
 
 #include "dataset/import/cloud/cloud_bytes.h"
 
-// LAS files.
+// Reads LAS files.
 
 namespace tera {
 namespace {
@@ -33,7 +33,7 @@ class LasReader {
  private:
   [[noreturn]] void Refuse(const std::string& finding) const { RefuseCloud(file_, finding); }
 
-  /// A number at an offset of the file; InputError past its end.
+  /// Number at an offset in the file. Throws InputError beyond the end.
   template <typename T>
   T At(std::uint64_t at) const {
     if (at > bytes_.size() || bytes_.size() - at < sizeof(T)) {
@@ -66,7 +66,7 @@ class LasReader {
     return count;
   }
 
-  /// The reference system from WKT, or else from GeoTIFF keys; empty if none is named.
+  /// Coordinate reference system from WKT, or else from GeoTIFF keys; empty if there is none.
   std::string MapOf() const {
     std::string wkt, keys;
     const auto take = [&](std::uint64_t at, std::uint64_t header, std::uint64_t length) {
@@ -104,8 +104,8 @@ class LasReader {
                     bytes_.size()));
   }
 
-  /// "EPSG:n" from a GeoTIFF key directory with a projected or geographic system; words for a
-  /// projected one without a code.
+  /// "EPSG:n" if the GeoTIFF keys name a projected or geographic system by code; words for a
+  /// projected system without a code.
   std::string GeoKeys(std::string_view body) const {
     constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kVerticalUnits = 4099;
     constexpr std::uint16_t kMetre = 9001, kUserDefined = 32767;
@@ -169,7 +169,7 @@ class LasReader {
     return {At<double>(at), At<double>(at + sizeof(double)), At<double>(at + 2 * sizeof(double))};
   }
 
-  /// Noise, or withheld.
+  /// True for noise and withheld points.
   static bool IsMarked(std::uint8_t format, const char* point) {
     constexpr std::uint8_t kLowNoise = 7, kHighNoise = 18;
     constexpr std::uint8_t kLegacyClass = 0x1f, kLegacyWithheld = 0x80, kWithheld = 0x04;

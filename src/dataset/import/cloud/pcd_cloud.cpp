@@ -8,26 +8,26 @@
 #include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
-// PCD files with any fields.
+// Reads PCD files with any fields.
 
 namespace tera {
 namespace {
 
 constexpr std::uint64_t kMostExpanded =
-    264;  // largest LZF expansion: a run of 264 bytes takes three
+    264;  // largest expansion of LZF: 264 equal bytes compress to three
 
 struct Field {
   std::string name;
   char type = 'F';
   std::uint64_t size = 0, count = 1;
-  std::uint64_t offset = 0;  ///< in a point's record
+  std::uint64_t offset = 0;  ///< within the record of a point
 };
 
 struct Header {
   std::vector<Field> fields;
   std::uint64_t points = 0, record_bytes = 0, columns = 0;
   std::string data;
-  std::size_t body = 0;  ///< offset of the points
+  std::size_t body = 0;  ///< offset of the points in the file
 };
 
 class PcdHeaderReader {
@@ -124,7 +124,6 @@ class PcdHeaderReader {
   std::string_view bytes_;
 };
 
-/// The fields x, y and z.
 std::array<Field, 3> PlacesOf(const std::filesystem::path& file, const Header& header) {
   std::array<Field, 3> axes;
   for (int axis = 0; axis < 3; ++axis) {
@@ -169,7 +168,7 @@ void ReadBinary(const std::filesystem::path& file, const Header& header, std::st
   }
 }
 
-/// Stored field by field, packed by LZF after two lengths of 32 bits.
+/// Reads binary_compressed data: two 32-bit lengths, then LZF data, field by field.
 void ReadCompressed(const std::filesystem::path& file, const Header& header, std::string_view body,
                     PointCloud* cloud) {
   const auto axes = PlacesOf(file, header);
@@ -201,7 +200,7 @@ void ReadCompressed(const std::filesystem::path& file, const Header& header, std
   }
 }
 
-/// One line per point, one word per number, fields in their order.
+/// Reads ascii data: one line per point, with one word per number in the order of the fields.
 void ReadAscii(const std::filesystem::path& file, const Header& header, std::string_view body,
                PointCloud* cloud) {
   const auto axes = PlacesOf(file, header);

@@ -5,7 +5,7 @@
 #include "dataset/import/cloud/cloud_bytes.h"
 #include "dataset/import/cloud/ply_header.h"
 
-// Vertices of PLY files.
+// Reads vertices of PLY files.
 
 namespace tera {
 namespace {
@@ -27,7 +27,7 @@ double ValueAt(const PlyProperty& property, const char* bytes, bool swapped) {
                    : static_cast<double>(NumberAt<std::uint32_t>(bytes, swapped));
 }
 
-/// The last properties x, y and z.
+/// Indices of the properties x, y and z; the last one counts if a name repeats.
 std::array<std::size_t, 3> AxesOf(const PlyVertices& vertices) {
   std::array<std::size_t, 3> axes{};
   for (std::size_t k = 0; k < vertices.properties.size(); ++k) {

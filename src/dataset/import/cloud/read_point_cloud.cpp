@@ -12,7 +12,8 @@
 namespace tera {
 namespace {
 
-/// Refuses other forms, whatever the name: pointers, archives, captures.
+/// Throws InputError for other formats such as placeholders, archives and captures, independent of
+/// the file name.
 void RefuseOtherForms(const std::filesystem::path& file, std::string_view bytes) {
   for (const std::string_view own : {"LASF", "ply", "# .PCD", "VERSION"}) {
     if (bytes.starts_with(own)) return;

@@ -22,7 +22,7 @@ constexpr std::array<const char*, 30> kOxtsFields = {
     "vel_accuracy", "navstat", "numsats", "posmode", "velmode", "orimode"};
 constexpr std::size_t kLat = 0, kLon = 1, kAlt = 2, kRoll = 3, kPitch = 4, kYaw = 5;
 
-/// "2011-09-26 13:02:25.964389445".
+/// Parses "2011-09-26 13:02:25.964389445".
 std::optional<TimeNs> OxtsTime(std::string_view text) {
   constexpr std::size_t kDate = 10;
   if (text.size() <= kDate || text[kDate] != ' ') return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<TimeNs> OxtsTime(std::string_view text) {
   return *day_ns + *time_ns;
 }
 
-/// The numbers of a frame's file, up to the first invalid one.
+/// Numbers in the file of a frame, up to the first invalid one.
 std::vector<double> NumbersOf(const std::filesystem::path& file) {
   std::string text = ReadWholeFile(file);
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
@@ -45,7 +45,7 @@ std::vector<double> NumbersOf(const std::filesystem::path& file) {
   return numbers;
 }
 
-/// A frame's pose relative to the first frame's position.
+/// Pose of a frame, relative to the position of the first frame.
 std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const SiteFrame& site) {
   const Vec3 p_m = site.ToEnu({v[kLat], v[kLon], v[kAlt]});
   const Quat q(RotationFromRpy(v[kRoll], v[kPitch], v[kYaw]));

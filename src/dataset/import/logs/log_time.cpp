@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// A number of digits only.
+/// Parses a number that consists of digits only.
 std::optional<int> Digits(std::string_view text) {
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;
@@ -18,7 +18,7 @@ std::optional<int> Digits(std::string_view text) {
 }  // namespace
 
 std::optional<TimeNs> DayOf(int year, int month, int day) {
-  constexpr int kFirstYear = 1970, kLastYear = 2200;  // range of 64 bits of ns
+  constexpr int kFirstYear = 1970, kLastYear = 2200;  // range of 64-bit nanoseconds
   const std::chrono::year_month_day date(std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day)));

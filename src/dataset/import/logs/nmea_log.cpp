@@ -20,12 +20,12 @@ namespace {
 constexpr double kKnot_mps = 1852.0 / 3600;
 constexpr TimeNs kDay_ns = 86'400 * kNsPerSecond;
 
-/// Data of the sentences of one time.
+/// Data of all sentences with the same time.
 struct Epoch {
   int line = 0;
   TimeNs time_of_day_ns = 0;
   std::optional<TimeNs> date_ns = std::nullopt;
-  std::string_view position = {};  ///< kind of the sentence with the position
+  std::string_view position = {};  ///< kind of the sentence that gave the position
   std::vector<NumberTable::Cell> values = {};
 
   /// A repeated value replaces the earlier one.
@@ -46,14 +46,14 @@ std::string_view FieldAt(const Fields& fields, std::size_t k) {
   return k < fields.size() ? fields[k] : std::string_view();
 }
 
-/// "123456.789".
+/// Parses "123456.789" (hhmmss).
 std::optional<TimeNs> TimeOf(std::string_view text) {
   if (text.size() < 6) return std::nullopt;
   return TimeOfDayText(std::string(text.substr(0, 2)) + ":" + std::string(text.substr(2, 2)) + ":" +
                        std::string(text.substr(4)));
 }
 
-/// "010526" is 1 May 2026; years from 80 on belong to the 20th century.
+/// Parses "010526" (ddmmyy), which is 1 May 2026. Years from 80 on are in the 20th century.
 std::optional<TimeNs> DateOf(std::string_view text) {
   if (text.size() != 6) return std::nullopt;
   const auto day = WholeNumber(text.substr(0, 2)), month = WholeNumber(text.substr(2, 2)),
@@ -63,14 +63,15 @@ std::optional<TimeNs> DateOf(std::string_view text) {
                static_cast<int>(*day));
 }
 
-/// A year, month or day; nothing except for a number of up to four digits.
+/// Year, month or day with up to four digits; nullopt otherwise.
 std::optional<int> NumberOfDate(std::string_view text) {
   const auto number = WholeNumber(text);
   if (!number || *number < 0 || *number > 9999) return std::nullopt;
   return static_cast<int>(*number);
 }
 
-/// Degrees from "4646.8000000" and 'N', or from three digits of degrees and 'W'.
+/// Angle in degrees from ddmm.mm and hemisphere. The degrees have `digits` digits: "4646.8000000"
+/// and 'N' have two.
 std::optional<double> AngleOf(std::string_view text, std::string_view side, std::size_t digits) {
   if (text.size() < digits + 2 || side.size() != 1) return std::nullopt;
   const auto degrees = WholeNumber(text.substr(0, digits));
@@ -80,7 +81,7 @@ std::optional<double> AngleOf(std::string_view text, std::string_view side, std:
   return side == "S" || side == "W" ? -angle_deg : angle_deg;
 }
 
-/// The best quality of all systems, one letter each: "RRN".
+/// Best quality among the satellite systems, which have one letter each, such as "RRN".
 std::optional<double> QualityOfModes(std::string_view modes) {
   constexpr std::array<std::pair<char, double>, 9> kModes = {
       {{'R', 4}, {'F', 5}, {'P', 2}, {'D', 2}, {'A', 1}, {'E', 6}, {'M', 7}, {'S', 8}, {'N', 0}}};
@@ -90,8 +91,8 @@ std::optional<double> QualityOfModes(std::string_view modes) {
   return std::nullopt;
 }
 
-/// GGA's quality for GGK's: none, single, RTK float, RTK fixed, differential, SBAS, network RTK
-/// float and fixed in 3-D, in 2-D, OmniSTAR HP, VBS, Location RTK, beacon, RTX, xFill.
+/// GGA quality for each GGK quality: none, single, RTK float, RTK fixed, differential, SBAS,
+/// network RTK float and fixed in 3D and in 2D, OmniSTAR HP, VBS, Location RTK, beacon, RTX, xFill.
 std::optional<double> QualityOfGgk(std::string_view text) {
   constexpr std::array<double, 16> kQuality = {0, 1, 5, 4, 2, 2, 5, 4, 5, 4, 5, 2, 5, 2, 5, 4};
   const auto told = WholeNumber(text);
@@ -101,7 +102,7 @@ std::optional<double> QualityOfGgk(std::string_view text) {
 
 class NmeaReader {
  public:
-  /// An empty `talker` means all.
+  /// An empty `talker` selects all talkers.
   NmeaReader(const std::filesystem::path& file, std::string talker, LeftOutRows* left_out)
       : lines_(file, BinaryFrameBytes), talker_(std::move(talker)), left_out_(left_out) {}
 
@@ -131,7 +132,7 @@ class NmeaReader {
   }
 
   const Talkers& talkers() const { return talkers_; }
-  /// Counts by kind, "10 GSV, 5 RMC".
+  /// Number of sentences by kind, such as "10 GSV, 5 RMC".
   std::string KindsText() const {
     std::string text;
     for (const auto& [kind, count] : kinds_) {
@@ -141,7 +142,7 @@ class NmeaReader {
   }
 
  private:
-  /// Deferred until it is known whether all checksums are wrong.
+  /// A wrong checksum is reported only at the end: if all checksums are wrong, the message differs.
   void TakeUnsound() {
     ++unsound_;
     try {
@@ -151,7 +152,7 @@ class NmeaReader {
     }
   }
 
-  /// The epoch of a time; a new one if the time differs from the previous sentence's.
+  /// The epoch of a time. A time that differs from the previous sentence starts a new epoch.
   Epoch& At(TimeNs time_of_day_ns) {
     if (epochs_.empty() || epochs_.back().time_of_day_ns != time_of_day_ns) {
       epochs_.push_back({.line = lines_.number(), .time_of_day_ns = time_of_day_ns});
@@ -162,12 +163,12 @@ class NmeaReader {
     return epochs_.back();
   }
 
-  /// Returns false for a malformed field. Skips sentences of other kinds.
+  /// Reads a sentence. Returns false for a malformed field. Other kinds of sentences are skipped.
   bool Take(Fields f) {
     std::string_view talker = f.front().substr(0, 2), kind = f.front();
     kind.remove_prefix(std::min<std::size_t>(kind.size(), 2));
     if (f.front().starts_with('P') && f.front().size() == 4) {
-      // A proprietary sentence: the kind is the next field.
+      // In a proprietary sentence, the kind is in the next field.
       talker = f.front();
       kind = FieldAt(f, 1);
       f.erase(f.begin());
@@ -180,7 +181,7 @@ class NmeaReader {
       return TakePosition("GGK", talker, GgkOf(f)) && TakeGgkDate(f, is_other);
     }
     if (is_other) {
-      // The date is the same for all receivers.
+      // The date is valid for all receivers.
       const auto time_ns = TimeOf(FieldAt(f, 1)), date_ns = DateOf(FieldAt(f, 9));
       if (kind == "RMC" && time_ns && date_ns) others_date_ = {*time_ns, *date_ns};
       return true;
@@ -204,7 +205,8 @@ class NmeaReader {
   static std::optional<NmeaPosition> GnsOf(const Fields& f) {
     return PositionOf(f, QualityOfModes(FieldAt(f, 6)), 10);
   }
-  /// The position in a GGA or a GNS, which differ in quality and in the field of the separation.
+  /// Position in a GGA or GNS sentence. They differ in the quality and in the field of the geoid
+  /// separation.
   static std::optional<NmeaPosition> PositionOf(const Fields& f, std::optional<double> quality,
                                                 std::size_t separation_at) {
     const auto time_ns = TimeOf(FieldAt(f, 1));
@@ -220,7 +222,7 @@ class NmeaReader {
     if (position.msl_m && separation_m) position.altitude_m = *position.msl_m + *separation_m;
     return position;
   }
-  /// The height's first letters say whether it is above the ellipsoid or the sea.
+  /// The first letters of the height tell whether it is above the ellipsoid or the sea.
   static std::optional<NmeaPosition> GgkOf(const Fields& f) {
     const auto time_ns = TimeOf(FieldAt(f, 1));
     const auto quality = QualityOfGgk(FieldAt(f, 7));
@@ -236,7 +238,7 @@ class NmeaReader {
     if (height.starts_with("GHT")) position.msl_m = WholeNumber(height.substr(3));
     return position;
   }
-  /// Month, day and year of the sentence's time. Another receiver's date applies too.
+  /// Date in a GGK sentence. The date of another receiver is used too.
   bool TakeGgkDate(const Fields& f, bool is_other) {
     if (!is_other && !is_taken_) return true;
     const std::string date(FieldAt(f, 2));
@@ -320,15 +322,15 @@ class NmeaReader {
   std::vector<Epoch> epochs_;
   Talkers talkers_;
   std::map<std::string, int> kinds_;
-  bool is_taken_ = false;  ///< the last position is of the chosen talker and consistent
+  bool is_taken_ = false;  ///< the last position is from the selected talker and consistent
   int sentences_ = 0, unsound_ = 0;
   std::optional<InputError> first_unsound_;
   std::optional<std::pair<TimeNs, TimeNs>>
-      others_date_;  ///< another receiver's time of day and date
+      others_date_;  ///< time of day and date from another receiver
 };
 
-/// Dates all epochs from those with a date. A time of day that goes back by more than half a day
-/// belongs to the next day.
+/// Assigns dates to all epochs, starting from those with a known date. A time of day that goes back
+/// by more than half a day is on the next day.
 void FillDates(std::vector<Epoch>* epochs) {
   const auto known = std::find_if(epochs->begin(), epochs->end(),
                                   [](const Epoch& e) { return e.date_ns.has_value(); });

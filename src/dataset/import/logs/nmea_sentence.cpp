@@ -13,7 +13,7 @@ unsigned ByteAt(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]);
 }
 
-/// UBX: b5 62, class, id, length in 16 bits, payload, two checksum bytes.
+/// UBX: b5 62, class, id, 16-bit length, payload, two checksum bytes.
 std::size_t UbxFrameBytes(std::string_view bytes) {
   constexpr std::size_t kHead = 6, kSums = 2, kSummedFrom = 2;
   if (bytes.size() < kHead + kSums || !bytes.starts_with("\xb5\x62")) return 0;
@@ -28,7 +28,7 @@ std::size_t UbxFrameBytes(std::string_view bytes) {
   return ByteAt(bytes, end) == a && ByteAt(bytes, end + 1) == b ? end + kSums : 0;
 }
 
-/// RTCM 3: d3, six zero bits and the length in ten bits, payload, CRC-24Q.
+/// RTCM 3: d3, six zero bits, 10-bit length, payload, CRC-24Q.
 std::size_t RtcmFrameBytes(std::string_view bytes) {
   constexpr std::size_t kHead = 3, kCrc = 3;
   constexpr std::uint32_t kPolynomial = 0x1864cfb, kTopBit = 0x1000000;
@@ -50,7 +50,7 @@ std::size_t RtcmFrameBytes(std::string_view bytes) {
 
 bool IsAlphanumeric(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether the body has a receiver's prefix: "GNGGA", "PTNL".
+/// True if the body begins like a sentence of a receiver, such as "GNGGA" or "PTNL".
 bool IsOfReceiver(std::string_view body) {
   constexpr std::array<std::string_view, 14> kKinds = {"GGA", "RMC", "GNS", "GST", "ZDA",
                                                        "VTG", "HDT", "GSV", "GSA", "GLL",

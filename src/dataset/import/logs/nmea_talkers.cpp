@@ -18,7 +18,7 @@ bool Talkers::Add(std::string_view kind, std::string_view talker, const NmeaPosi
     rival_[s.talker] = rival_[std::string(talker)] = true;
   }
   constexpr std::size_t kRemembered =
-      32;  // latest positions of a kind; receivers in one log alternate within fewer
+      32;  // positions kept per kind; receivers in one log alternate more often than this
   said.push_back({std::string(talker), position});
   if (said.size() > kRemembered) said.pop_front();
   return is_same;

@@ -13,23 +13,23 @@
 namespace tera {
 namespace {
 
-/// In order, after the two fields of the time.
+/// Fields in order, after the two fields of the time.
 constexpr std::array<const char*, 13> kSolutionFields = {
     "latitude", "longitude", "height", "Q",    "ns",  "sdn",  "sde",
     "sdu",      "sdne",      "sdeu",   "sdun", "age", "ratio"};
-constexpr std::size_t kTimeFields = 2, kNeeded = kTimeFields + 8;  // up to sdu
+constexpr std::size_t kTimeFields = 2, kNeeded = kTimeFields + 8;  // required fields, up to sdu
 
 enum class TimeSystem { kUtc, kGps, kJapan };
 
-/// GGA's quality for RTKLIB's: fixed, float, SBAS, differential, single, precise point.
+/// GGA quality for RTKLIB's quality: fixed, float, SBAS, differential, single, precise point.
 double QualityOf(double q) {
   constexpr std::array<double, 7> kQuality = {0, 4, 5, 2, 2, 1, 5};
-  // In a truncated line another column's number may stand here.
+  // A truncated line may have a number of another column here.
   if (!(q >= 0 && q < static_cast<double>(kQuality.size())) || q != std::floor(q)) return -1;
   return kQuality[static_cast<std::size_t>(q)];
 }
 
-/// "2026/05/01 12:00:00.000", or a week of GPS time and its seconds.
+/// Parses "2026/05/01 12:00:00.000", or a GPS week and the seconds in it.
 std::optional<TimeNs> TimeOf(std::string_view first, std::string_view second, TimeSystem system) {
   constexpr int kMostWeeks = 10'000;
   constexpr TimeNs kJapanAhead_ns = 9 * 3600 * kNsPerSecond;
@@ -47,7 +47,8 @@ std::optional<TimeNs> TimeOf(std::string_view first, std::string_view second, Ti
   return system == TimeSystem::kJapan ? t_ns - kJapanAhead_ns : t_ns;
 }
 
-/// The time system in the line of columns. Other coordinate forms are refused.
+/// Reads the time system from the line with the column names. Throws InputError for other kinds of
+/// coordinates.
 TimeSystem ReadHeader(const std::string& line, const std::filesystem::path& file, int number) {
   for (const char* other : {"x-ecef", "e-baseline"}) {
     if (line.find(other) == std::string::npos) continue;
@@ -66,7 +67,7 @@ TimeSystem ReadHeader(const std::string& line, const std::filesystem::path& file
   return line.find("JST") != std::string::npos ? TimeSystem::kJapan : TimeSystem::kUtc;
 }
 
-/// Whether a remark names the columns; other remarks describe the program and its input.
+/// True if a comment line names the columns. Other comments describe the program and its input.
 bool NamesColumns(const std::string& line) {
   if (line.find(" : ") != std::string::npos || line.find("(lat/lon") != std::string::npos ||
       line.find("(x/y/z") != std::string::npos) {

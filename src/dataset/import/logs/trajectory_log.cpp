@@ -19,7 +19,7 @@ constexpr std::size_t kKittiNumbers = 12;
 using Numbers = std::vector<double>;
 using PoseNumbers = std::array<double, 7>;  ///< in the order of kPoseColumns
 
-/// Exact for plain digits, else within a double's precision.
+/// Exact for plain digits; double precision otherwise.
 std::optional<TimeNs> PoseTimeOf(std::string_view text, bool in_nanoseconds) {
   const auto number = WholeNumber(text);
   if (!in_nanoseconds) {
@@ -34,7 +34,7 @@ std::optional<TimeNs> PoseTimeOf(std::string_view text, bool in_nanoseconds) {
   return static_cast<TimeNs>(*number);
 }
 
-/// Three rows of a rotation and a position; nothing for an invalid rotation.
+/// Pose from the three rows of rotation and position; nullopt if the rotation is invalid.
 std::optional<PoseNumbers> PoseOfRows(const Numbers& v) {
   constexpr double kSlack = 0.05;
   Mat3 R;
@@ -67,7 +67,7 @@ class TrajectoryReader {
       const std::vector<std::string_view> fields =
           FieldsOfRecord(line, line.find(',') == std::string::npos ? ' ' : ',');
       if (fields.empty() || fields.front().empty() || fields.front().starts_with('#')) continue;
-      if (lines_.number() == 1 && !WholeNumber(fields.front())) continue;  // names of columns
+      if (lines_.number() == 1 && !WholeNumber(fields.front())) continue;  // column names
       TimeNs t_ns = pose_ < times_.size() ? times_[pose_] : 0;
       ++pose_;
       if (const auto pose = PoseOf(fields, &t_ns)) {
@@ -88,7 +88,7 @@ class TrajectoryReader {
   }
 
  private:
-  /// The pose in a line; reports a line without one.
+  /// Parses the pose in a line. Reports a fault and returns nullopt if there is none.
   std::optional<PoseNumbers> PoseOf(const std::vector<std::string_view>& fields, TimeNs* t_ns) {
     const bool is_kitti = type_ == kKittiPosesType;
     constexpr std::size_t kTimedFields = 8;
@@ -122,7 +122,7 @@ class TrajectoryReader {
   }
 
   LogLines lines_;
-  std::vector<TimeNs> times_;  ///< pose times, if a file has them
+  std::vector<TimeNs> times_;  ///< times from a separate file, if there is one
   std::size_t pose_ = 0;
   const std::string& type_;
   LeftOutRows* left_out_;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kMagic("\x55\x4c\x6f\x67\x01\x12\x35", 7);
 constexpr std::size_t kHeaderBytes = 16, kMessageHeadBytes = 3;
 
-/// Reads a log's definitions and messages in order.
+/// Reads the definitions and messages of a log in order.
 class UlogReader {
  public:
   explicit UlogReader(const std::filesystem::path& file)
@@ -35,13 +35,13 @@ class UlogReader {
     }
   }
 
-  /// The next data message; false at the end. Throws BadBytes about the log.
+  /// Reads the next data message; returns false at the end. Throws BadBytes for a fault of the log.
   bool Next(std::string* topic, std::string_view* payload) {
     while (at_ < bytes_.size()) {
       const std::size_t end = at_ < appended_ ? appended_ : bytes_.size();
       if (end - at_ < kMessageHeadBytes) {
         if (end == appended_) {
-          at_ = end;  // skips the part that was truncated before the appended data
+          at_ = end;  // skips an incomplete message in front of appended data
           continue;
         }
         throw BadBytes{"ends within a message"};
@@ -61,7 +61,7 @@ class UlogReader {
     return false;
   }
 
-  /// Numbers of a subscribed topic. Throws BadBytes.
+  /// Numeric fields of a subscribed topic. Throws BadBytes.
   std::vector<UlogNumber> NumbersOf(const std::string& topic) const {
     return formats_.NumbersOf(format_of_.at(topic));
   }
@@ -98,13 +98,13 @@ class UlogReader {
         return true;
       }
       default:
-        // Texts, parameters, marks. A byte other than a letter is no message type.
+        // Texts, parameters and marks are skipped. A message type is always a letter.
         if (type < 'A' || type > 'Z') throw BadBytes{"has bytes that are no message"};
         return false;
     }
   }
 
-  /// Incompatible features, and offsets of appended data.
+  /// Reads the flags: incompatible features, and offsets of appended data.
   void TakeFlags(std::string_view body) {
     constexpr std::size_t kFlags = 8, kOffset = 16, kBytes = 40;
     if (body.size() < kBytes) throw BadBytes{"has too few flags"};
@@ -128,7 +128,7 @@ class UlogReader {
   std::map<std::string, std::string> format_of_;
 };
 
-/// The requested numbers, the time first.
+/// The requested numbers, with the time first.
 std::vector<UlogNumber> Wanted(const std::vector<UlogNumber>& all,
                                const std::vector<std::string>& paths, const std::string& where) {
   std::vector<UlogNumber> wanted;
@@ -164,7 +164,7 @@ std::vector<UlogTopic> UlogTopics(const std::filesystem::path& file) {
       }
     }
   } catch (const BadBytes&) {
-    // A damaged log is read up to the damage.
+    // Topics before the damage are returned.
   }
   std::vector<UlogTopic> list;
   for (auto& [name, topic] : topics) list.push_back(std::move(topic));

@@ -12,9 +12,8 @@ namespace tera {
 namespace {
 
 constexpr int kDeepest = 16;
-constexpr std::size_t kLongestPath =
-    512;  // length of a field's path; each array element has its own
-constexpr std::size_t kMostBytes = 65536;  // size of a message
+constexpr std::size_t kLongestPath = 512;  // length limit of a field's path
+constexpr std::size_t kMostBytes = 65536;  // size limit of a message
 
 struct BasicType {
   std::string_view name;
@@ -48,7 +47,7 @@ bool IsPadding(const std::string& path) {
   return path.starts_with("_padding") || path.find("._padding") != std::string::npos;
 }
 
-/// 3 for "float[3]"; 0 for an invalid length.
+/// Array length: 3 for "float[3]"; 0 if invalid.
 std::size_t LengthOf(std::string_view type, std::size_t bracket) {
   const auto length = WholeNumber(type.substr(bracket + 1, type.find(']') - bracket - 1));
   return length && *length >= 1 && *length <= kMostBytes ? static_cast<std::size_t>(*length) : 0;
@@ -56,7 +55,7 @@ std::size_t LengthOf(std::string_view type, std::size_t bracket) {
 
 }  // namespace
 
-/// The numbers of a message, and the number of bytes laid out.
+/// Numeric fields of a message found so far, and their size in bytes.
 struct UlogFormats::Layout {
   std::vector<UlogNumber> numbers;
   std::size_t offset = 0, elements = 0;

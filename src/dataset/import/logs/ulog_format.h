@@ -9,14 +9,14 @@
 
 namespace tera {
 
-/// A number within the messages of a format.
+/// A numeric field in the messages of a ULog format.
 struct UlogNumber {
-  std::string path;  ///< "gyro_rad[0]", "esc[2].rpm"
+  std::string path;  ///< such as "gyro_rad[0]" or "esc[2].rpm"
   std::size_t offset = 0, bytes = 0;
   double (*read)(std::string_view bytes, std::size_t at) = nullptr;
 };
 
-/// A number in bytes, low byte first; `bytes` must be long enough.
+/// Number at byte `at`, low byte first. `bytes` must be long enough.
 template <typename T>
 T UlogNumberAt(std::string_view bytes, std::size_t at) {
   T value;
@@ -24,14 +24,14 @@ T UlogNumberAt(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// The formats that a log defines: "name:type field;type[length] field;...", where a type may be
-/// another format.
+/// Message formats that a log defines, such as "name:type field;type[length] field;...". A type may
+/// be another format.
 class UlogFormats {
  public:
   /// Throws BadBytes for a definition without a name.
   void Define(std::string_view text);
-  /// All numbers of a format at any nesting, without padding. Throws BadBytes for an unknown or
-  /// recursive format, and for one larger than a message.
+  /// All numeric fields of a format, including those of nested formats, without padding. Throws
+  /// BadBytes for an unknown or recursive format, and for a format larger than a message.
   std::vector<UlogNumber> NumbersOf(const std::string& format) const;
 
  private:

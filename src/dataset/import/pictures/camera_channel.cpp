@@ -21,25 +21,24 @@ namespace {
 
 using TakePicture = std::function<void(StampedPicture picture, const std::string& place)>;
 
-/// Receivers of a reading of pictures.
+/// Options and receivers for reading images.
 struct PictureReading {
   bool skips_bad = false;
   LeaveOut leave_out;
   TakePicture take;
-  std::int64_t pieces = 0;  ///< messages or files read, good or bad
+  std::int64_t pieces = 0;  ///< number of messages or files read, including faulty ones
 };
 
-/// One camera of a mapping.
 struct CameraPlan {
   std::string folder;
   ImportedSensor sensor;
-  std::filesystem::path file;  ///< or the folder
+  std::filesystem::path file;  ///< file or folder
   std::optional<CameraLens> lens;
-  double offset_s = 0;  ///< from the mapping's `time`
+  double offset_s = 0;  ///< time offset from the key `time`
   std::function<void(PictureReading* reading)> read;
 };
 
-/// The model of sensor.yaml, as simulated cameras have it.
+/// The key `model` of sensor.yaml, in the form that simulated cameras use.
 std::string LensModelYaml(const CameraLens& c) {
   std::string yaml = fmt::format(
       "model:\n  width_px: {}\n  height_px: {}\n  fx_px: {}\n  fy_px: {}\n  cx_px: {}\n  cy_px: "
@@ -62,7 +61,7 @@ std::string CameraSheet(const CameraPlan& plan, const ImportedFrames& frames) {
   return text + fmt::format("imported_from: {}\n", YamlQuoted(plan.file.filename().string()));
 }
 
-/// Reads the pictures, and writes them where there is a writer.
+/// Reads the images, and writes them unless the import only checks.
 class CameraImport {
  public:
   CameraImport(const CameraPlan& plan, ImportRun* run)
@@ -89,7 +88,7 @@ class CameraImport {
                                           is_depth_ ? "depth" : "colour"));
     }
     if (!plan_.lens) told->remarks.push_back("without a lens: nothing can be projected into them");
-    // The rate is known only after all pictures.
+    // sensor.yaml is written last, because it needs the frame rate.
     if (writer != nullptr) {
       WriteWholeFile(writer->PathFor(plan_.folder + "/sensor.yaml"), CameraSheet(plan_, frames_));
     }
@@ -108,7 +107,8 @@ class CameraImport {
     run_->writer()->Write(channel_, std::move(frame));
   }
 
-  /// All pictures share the lens's grid, or without a lens that of the first, and one kind.
+  /// Throws InputError unless all images have one size and one kind. The size is that of the lens
+  /// or, without a lens, of the first image.
   void RequireGrid(const ImportedPicture& picture, const std::string& place) {
     const int width_px = picture.width_px(), height_px = picture.height_px();
     if (width_px_ == 0) {
@@ -140,7 +140,7 @@ class CameraImport {
   bool is_depth_ = false;
 };
 
-/// Reads the keys of a camera in a mapping.
+/// Reads the keys of a camera in the mapping.
 class CameraKeys {
  public:
   CameraKeys(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked,
@@ -153,7 +153,7 @@ class CameraKeys {
     } else {
       ReadBagTopic();
     }
-    // Keys that a fault left unread are not unknown.
+    // Keys that were not read because of an earlier fault must not be reported as unknown.
     for (const char* key :
          {"topic", "info", "rectified", "lens", "uncalibrated", "time", "times"}) {
       channel_.Has(key);
@@ -222,7 +222,7 @@ class CameraKeys {
     };
   }
 
-  /// Reads `info`, `lens` or `uncalibrated`, one of which is needed.
+  /// Reads `info`, `lens` or `uncalibrated`. One of them is required.
   void ReadLens(const BagTopic* topic) {
     const bool is_uncalibrated = channel_.Boolean("uncalibrated", false);
     const int given =

@@ -13,14 +13,13 @@
 namespace tera {
 namespace {
 
-/// The fields of a sensor_msgs/CameraInfo.
 struct CameraInfoFields {
   std::uint32_t height_px = 0, width_px = 0, binning_x = 0, binning_y = 0;
   std::string model;
   std::vector<double> d;
   std::array<double, 9> k{}, r{};
   std::array<double, 12> p{};
-  std::array<std::uint32_t, 4> region{};  ///< x, y, height and width of a part
+  std::array<std::uint32_t, 4> region{};  ///< x, y, height and width of a cropped region
 };
 
 CameraInfoFields ReadFields(std::string_view encoding, std::string_view bytes) {
@@ -46,7 +45,7 @@ CameraInfoFields ReadFields(std::string_view encoding, std::string_view bytes) {
   return info;
 }
 
-/// A law by its name in ROS, and its coefficients in the order of D.
+/// A distortion model: its name in ROS, its law, and its coefficients in the order of D.
 struct KnownModel {
   std::string_view name, law;
   std::vector<double CameraLens::*> coefficients;
@@ -65,7 +64,7 @@ const std::array<KnownModel, 5>& KnownModels() {
   return kModels;
 }
 
-/// The lens of K and D.
+/// Sets the lens from the matrix K and the coefficients D.
 void TakeDistortion(const CameraInfoFields& info, const std::string& place, CameraLens* lens) {
   for (const KnownModel& model : KnownModels()) {
     if (model.name != info.model) continue;
@@ -112,7 +111,6 @@ CameraLens LensOf(const CameraInfoFields& info, const std::string& place, bool i
                           lens.fx_px, lens.fy_px)});
 }
 
-/// Takes the first message of a topic.
 class FirstMessage : public BagVisitor {
  public:
   explicit FirstMessage(const BagTopic& topic) : topic_(topic) {}
@@ -150,7 +148,8 @@ StampedPicture ReadPictureMessage(const BagTopic& topic, const BagMessage& messa
     return stamped;
   }
   RawPixels pixels;
-  constexpr std::uint32_t kMostSide_px = 1 << 20;  // any more is refused with the bytes
+  constexpr std::uint32_t kMostSide_px = 1 << 20;  // larger sizes are reported together with the
+                                                   // number of bytes
   pixels.height_px = static_cast<int>(std::min(cursor.Number<std::uint32_t>(), kMostSide_px));
   pixels.width_px = static_cast<int>(std::min(cursor.Number<std::uint32_t>(), kMostSide_px));
   pixels.encoding = cursor.Text();

@@ -14,29 +14,28 @@ inline constexpr std::string_view kImageType = "sensor_msgs/Image",
                                   kCompressedImageType = "sensor_msgs/CompressedImage",
                                   kCameraInfoType = "sensor_msgs/CameraInfo";
 
-/// A picture with its time.
 struct StampedPicture {
   TimeNs t_ns = 0;
   ImportedPicture picture;
 };
 
-/// The picture of one sensor_msgs/Image or CompressedImage. Its stamp is the header's, or `log_ns`
-/// with `by_log_time`. Throws BadBytes where the message violates its type, and InputError as
+/// Reads a sensor_msgs/Image or CompressedImage. The time is the header's stamp, or `log_ns` with
+/// `by_log_time`. Throws BadBytes if the message does not fit its type, and InputError as
 /// DecodePixels and DecodePictureFile do.
 StampedPicture ReadPictureMessage(const BagTopic& topic, const BagMessage& message,
                                   const std::string& place, bool by_log_time);
 
-/// Why the first picture of a topic cannot be read; empty if it can.
+/// Reason why the first image of a topic cannot be read; empty if it can.
 std::string FaultOfFirstPicture(const std::filesystem::path& bag, const BagTopic& topic,
                                 UnpackedFiles* unpacked);
 
-/// The lens of the first message of a sensor_msgs/CameraInfo topic.
+/// Lens in the first message of a sensor_msgs/CameraInfo topic.
 ///
-/// Model   `distortion_model` plumb_bob, rational_polynomial and equidistant as the laws of
-///         CameraLens; none is no distortion. With `is_rectified` the lens is P, without
-///         distortion, as pictures of topics image_rect have it.
-/// Throws  InputError without a message, for another model, and for pictures that are binned or
-///         cut, whose lens the message does not state.
+/// Model   The values plumb_bob, rational_polynomial and equidistant of `distortion_model` map to
+///         the laws of CameraLens; an empty value means no distortion. With `is_rectified`, as for
+///         topics named image_rect, the lens is the matrix P without distortion.
+/// Throws  InputError if there is no message, for any other model, and for images that are binned
+///         or cropped, because CameraInfo does not describe their lens.
 CameraLens ReadCameraInfo(const std::filesystem::path& bag, const BagTopic& topic,
                           UnpackedFiles* unpacked, bool is_rectified);
 

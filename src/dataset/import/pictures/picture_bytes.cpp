@@ -19,15 +19,15 @@ namespace {
 constexpr int kAsItIs = -1;
 constexpr double kDepthUnit_m = 0.001;
 
-/// An encoding of colour by its name in ROS.
+/// A colour encoding of ROS.
 struct ColourEncoding {
   std::string_view name;
-  int type;    ///< OpenCV's of a pixel
-  int to_rgb;  ///< OpenCV's conversion
+  int type;    ///< OpenCV type of a pixel
+  int to_rgb;  ///< OpenCV conversion code
 };
 
-// OpenCV names a Bayer pattern by the second row's second and third pixel, ROS by the first row's
-// first two.
+// Bayer patterns are named differently: OpenCV uses the second and third pixel of the second row,
+// ROS the first two pixels of the first row.
 constexpr std::array<ColourEncoding, 16> kColours = {
     {{"rgb8", CV_8UC3, kAsItIs},
      {"bgr8", CV_8UC3, cv::COLOR_BGR2RGB},
@@ -59,7 +59,7 @@ Image<T> CopyOf(const cv::Mat& pixels) {
   return image;
 }
 
-/// The rows of raw pixels of an OpenCV type, which must fit their bytes.
+/// Raw pixels as an OpenCV matrix. Throws InputError unless size and number of bytes agree.
 cv::Mat RowsOf(const RawPixels& p, int type, const std::string& place) {
   constexpr int kMostSide_px = 65535;
   const bool is_picture = p.width_px >= 1 && p.height_px >= 1 && p.width_px <= kMostSide_px &&
@@ -87,7 +87,7 @@ Image<float> DepthOf(const cv::Mat& pixels, double unit_m) {
   return image;
 }
 
-/// Raw depth in the byte order of this program.
+/// Raw depth in native byte order.
 cv::Mat InOwnOrder(const cv::Mat& rows, bool is_big_endian) {
   cv::Mat own = rows.clone();
   if (!is_big_endian) return own;
@@ -98,14 +98,15 @@ cv::Mat InOwnOrder(const cv::Mat& rows, bool is_big_endian) {
   return own;
 }
 
-/// Zeros may follow the end marker, as some cameras pad their pictures. The marker also ends the
-/// thumbnail within a picture, so that it counts at the end alone.
+/// Some cameras append zeros after the end marker. The marker must be at the end, because an
+/// embedded thumbnail has one too.
 bool EndsAsJpeg(std::string_view bytes) {
   const std::size_t last = bytes.find_last_not_of('\0');
   return last != bytes.npos && bytes.substr(0, last + 1).ends_with("\xff\xd9");
 }
 
-/// Empty if OpenCV cannot decode it. It throws for sizes beyond its limits.
+/// Decodes with OpenCV. Returns an empty matrix on failure, including sizes beyond OpenCV's limits,
+/// for which it throws.
 cv::Mat Decoded(std::string_view bytes) {
   const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
   try {
@@ -151,7 +152,7 @@ ImportedPicture DecodePixels(const RawPixels& pixels, const std::string& place) 
 }
 
 ImportedPicture DecodePictureFile(std::string_view bytes, const std::string& place) {
-  // Other decoders of OpenCV and GDAL are not for untrusted files.
+  // Other decoders of OpenCV and GDAL are unsafe for untrusted files.
   const bool is_png = bytes.starts_with("\x89PNG\r\n\x1a\n"),
              is_jpeg = bytes.starts_with("\xff\xd8");
   if (!is_png && !is_jpeg) {

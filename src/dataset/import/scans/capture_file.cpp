@@ -43,7 +43,7 @@ std::uint32_t BigEndian(std::string_view bytes, std::size_t at, std::size_t coun
 
 constexpr std::uint32_t kIpv4 = 0x0800, kIpv6 = 0x86dd;
 
-/// The IP packet in a link-layer frame; empty where it holds none.
+/// The IP packet in a link-layer frame; empty if there is none.
 std::string_view InternetOf(int link, std::string_view frame) {
   constexpr std::size_t kEthernetType = 12, kTypeBytes = 2, kTagBytes = 4;
   constexpr std::size_t kCooked = 16, kCooked2 = 20, kLoopback = 4;
@@ -64,12 +64,12 @@ std::string_view InternetOf(int link, std::string_view frame) {
   return {};
 }
 
-/// UDP payload of an IP packet, whole or as a fragment.
+/// UDP payload of an IP packet: a whole datagram or a fragment.
 struct Carried {
   std::string_view bytes;
   bool is_fragment = false, is_last = true;
   std::size_t offset = 0;
-  std::string key;  ///< identifies the datagram of a fragment
+  std::string key;  ///< identifies the datagram that a fragment belongs to
 };
 
 std::optional<Carried> UdpOf(std::string_view packet) {
@@ -86,7 +86,7 @@ std::optional<Carried> UdpOf(std::string_view packet) {
   }
   const std::size_t head = 4 * (BigEndian(packet, 0, 1) & 0xF);
   const std::size_t total = BigEndian(packet, 2, 2);
-  // With segmentation offload, the length field may be 0.
+  // The length field may be 0 if the network card segments packets.
   const std::size_t end = total == 0 ? packet.size() : std::min(total, packet.size());
   if (head < kHead4 || head > end) return std::nullopt;
   const std::uint32_t flags = BigEndian(packet, 6, 2);
@@ -96,10 +96,10 @@ std::optional<Carried> UdpOf(std::string_view packet) {
                  std::string(packet.substr(12, 8)) + std::string(packet.substr(4, 2))};
 }
 
-/// Reassembles fragmented datagrams, in any order of arrival.
+/// Reassembles datagrams from fragments in any order.
 class Fragments {
  public:
-  /// The datagram that this fragment completes, if it does.
+  /// Adds a fragment. Returns the datagram if it is complete.
   std::optional<std::string> Add(const Carried& carried) {
     if (pending_.size() > kMostPending) pending_.erase(pending_.begin());
     Pending& pending = pending_[carried.key];
@@ -124,11 +124,10 @@ class Fragments {
   std::map<std::string, Pending> pending_;
 };
 
-/// A UDP datagram and its destination port.
 struct Datagram {
   int port = 0;
   std::string_view bytes;
-  bool is_cut = false;  ///< the capture holds less of it than was sent
+  bool is_cut = false;  ///< the capture does not contain all of its bytes
 };
 
 std::optional<Datagram> DatagramOf(std::string_view udp) {
@@ -155,7 +154,7 @@ class CaptureReader {
     }
   }
 
-  /// The next UDP datagram; nothing at the end. Its bytes last until the next call.
+  /// The next UDP datagram; nullopt at the end. Its bytes stay valid until the next call.
   std::optional<Datagram> Next() {
     pcap_pkthdr* head = nullptr;
     const u_char* data = nullptr;

@@ -7,25 +7,26 @@
 
 namespace tera {
 
-/// Number of datagrams for each destination port.
+/// Number of datagrams by destination port.
 using PortCounts = std::map<int, std::int64_t>;
 
-/// Passes the UDP datagrams to one port of a network capture to `take`, with one in memory at a
-/// time.
+/// Passes the UDP datagrams sent to `port` in a network capture to `take`. Memory holds one
+/// datagram.
 ///
-/// Model   pcap and pcapng of Ethernet (with VLAN tags), Linux's cooked forms, loopback and raw IP;
-///         IPv4 and IPv6. Fragments of IPv4 are joined. A datagram that lacks a fragment is
-///         dropped, as the receiver's system would.
+/// Model   Supports pcap and pcapng with Ethernet (including VLAN tags), Linux cooked captures,
+///         loopback and raw IP, over IPv4 and IPv6. IPv4 fragments are joined; an incomplete
+///         datagram is dropped, as an operating system does.
 /// Omits   fragments of IPv6, tunnels, checksums.
-/// Throws  InputError where the file is no such capture. A file that ends within a packet goes to
-///         `leave_out`. A port without datagrams is a fault, which names the ports that have some.
+/// Throws  InputError if the file is not such a capture, or if no datagram has the port; the
+///         message lists the ports that occur. A file that ends within a packet is reported to
+///         `leave_out`.
 void ReadCapture(const std::filesystem::path& file, int port, const LeaveOut& leave_out,
                  const TakePacket& take);
 
-/// Whether the file's first bytes are those of a capture.
+/// True if the file begins like a capture.
 bool LooksLikeCapture(const std::filesystem::path& file);
 
-/// Datagrams for each port among the first `most_packets` packets.
+/// Datagrams by port among the first `most_packets` packets.
 PortCounts PortsOfCapture(const std::filesystem::path& file, std::int64_t most_packets);
 
 }  // namespace tera

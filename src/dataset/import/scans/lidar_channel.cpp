@@ -15,17 +15,16 @@
 namespace tera {
 namespace {
 
-constexpr double kWholeTurn = 0.95;  ///< least share of a turn of a whole scan; less counts as cut
-                                     ///< off
+constexpr double kWholeTurn = 0.95;  ///< fraction of a turn; a scan that covers less is counted as
+                                     ///< incomplete
 
-/// One lidar of a mapping.
 struct LidarPlan {
   std::string folder;
   ImportedSensor sensor;
   LidarSource source;
 };
 
-/// Counts of the imported scans.
+/// Counts over all imported scans.
 struct ScanTally {
   std::int64_t rays = 0, points = 0, second_returns = 0, cut = 0;
   double least_turn = 1;
@@ -76,7 +75,7 @@ std::string LidarSheet(const LidarPlan& plan, const ImportedFrames& frames) {
          fmt::format("imported_from: {}\n", YamlQuoted(plan.source.file.filename().string()));
 }
 
-/// Reads the scans, and writes them where there is a writer.
+/// Reads the scans, and writes them unless the import only checks.
 class LidarImport {
  public:
   LidarImport(const LidarPlan& plan, ImportRun* run)
@@ -97,7 +96,7 @@ class LidarImport {
     plan_.source.read(&reading);
     ImportedChannel* told = frames_.Report(plan_.source.file, reading.pieces);
     told->remarks = RemarksOn(tally_, frames_.t_ns().size(), plan_.source);
-    // The rate is known only after all scans.
+    // sensor.yaml is written last, because it needs the scan rate.
     if (writer != nullptr) {
       WriteWholeFile(writer->PathFor(plan_.folder + "/sensor.yaml"), LidarSheet(plan_, frames_));
     }

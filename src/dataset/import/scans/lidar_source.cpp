@@ -22,14 +22,14 @@
 namespace tera {
 namespace {
 
-/// A lidar model with a packet decoder.
+/// A lidar model for which there is a packet decoder.
 struct LidarUnit {
   std::string name, model_yaml;
   int port = 2368;  ///< default UDP port of Velodyne and Hesai
   std::function<std::unique_ptr<PacketDecoder>(const DecodeOptions&, TakeScan)> make;
 };
 
-/// The pattern's YAML: beams from the top down, azimuths counterclockwise from above.
+/// YAML of the beam pattern: beams from top to bottom, azimuths counterclockwise seen from above.
 std::string PatternYaml(const std::vector<double>& elevation_deg,
                         const std::vector<double>& azimuth_deg, int columns) {
   const std::vector<std::uint16_t> rings = RingsOf(elevation_deg);
@@ -79,7 +79,7 @@ LidarUnit PandarOf(const PandarAngles& angles) {
       }};
 }
 
-/// Reads the keys of a lidar in a mapping.
+/// Reads the keys of a lidar in the mapping.
 class LidarKeys {
  public:
   LidarKeys(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked)
@@ -88,7 +88,7 @@ class LidarKeys {
   LidarSource Read() {
     LidarSource source = ReadAny();
     if (source.read) return source;
-    // Keys that a fault left unread are not unknown.
+    // Keys that were not read because of an earlier fault must not be reported as unknown.
     for (const char* key :
          {"topic", "unit", "metadata", "port", "corrections", "returns", "time", "stamp",
           "duration_s", "time_field", "time_unit", "full_intensity", "times"}) {
@@ -117,7 +117,8 @@ class LidarKeys {
     return source_;
   }
 
-  /// Reads `unit` or `metadata`, among the units in `makes`; none where both are absent.
+  /// Reads `unit` or `metadata`. The unit must be of one of the makes. Returns nullopt if both keys
+  /// are absent.
   std::optional<LidarUnit> ReadUnit(std::initializer_list<std::string_view> makes) {
     if (std::find(makes.begin(), makes.end(), "ouster") != makes.end() &&
         (channel_.Has("metadata") || makes.size() == 1)) {
@@ -146,7 +147,7 @@ class LidarKeys {
     }
   }
 
-  /// Reads `time`, its clock and offset. Returns the column.
+  /// Reads the clock and the offset in `time`. Returns the name of the time column.
   std::string ReadTime(std::initializer_list<std::string_view> columns,
                        std::string_view otherwise) {
     const auto time = channel_.OptionalMap("time");
@@ -165,7 +166,7 @@ class LidarKeys {
     return options;
   }
 
-  /// Feeds packets of any container to a decoder.
+  /// Passes packets of any container to a decoder.
   using ReadAll = std::function<void(ScanReading*, const TakePacket&)>;
   static std::function<void(ScanReading*)> Decoding(const LidarUnit& unit,
                                                     const DecodeOptions& options, ReadAll all) {

@@ -11,10 +11,10 @@
 
 namespace tera {
 
-/// Reads the bytes of a ROS message in the order of its fields, never beyond their end.
-/// Faults are BadBytes.
+/// Reads the fields of a ROS message in order. Throws BadBytes instead of reading beyond the end.
 ///
-/// Model   plain CDR, little-endian, as ROS 2 writes it; or the packed form of ROS 1.
+/// Model   Supports little-endian CDR without a parameter list, as ROS 2 writes it, and the packed
+///         encoding of ROS 1.
 class MessageCursor {
  public:
   MessageCursor(std::string_view encoding, std::string_view message)
@@ -56,7 +56,7 @@ class MessageCursor {
     }
     return TimeNs{seconds} * kNsPerSecond + nanoseconds;
   }
-  /// Reads a std_msgs/Header and returns its stamp.
+  /// Reads a std_msgs/Header; returns its stamp.
   TimeNs HeaderStamp() {
     if (!is_cdr_) Number<std::uint32_t>();  // sequence number
     const TimeNs stamp_ns = Time();

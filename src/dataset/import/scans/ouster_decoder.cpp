@@ -27,7 +27,7 @@ class OusterDecoder : public PacketDecoder {
     RequireOwn(packet);
     const std::uint32_t frame = FrameOf(packet);
     if (frame_ && frame != *frame_) {
-      // Frame numbers wrap at 65 536; a delayed packet belongs to the previous frame.
+      // Frame numbers wrap at 65 536. A delayed packet belongs to the previous frame.
       const auto later = static_cast<std::int16_t>(static_cast<std::uint16_t>(frame - *frame_));
       if (later < 0) {
         RefusePacket(
@@ -72,11 +72,11 @@ class OusterDecoder : public PacketDecoder {
         FaultKind::kInconsistent);
   }
 
-  /// The size of packets cannot distinguish units of one model. Their header has a serial number in
-  /// 40 bits.
+  /// Units of one model have equal packet sizes, so the 40-bit serial number in the header is
+  /// compared.
   void RequireOwnSerial(const UnitPacket& packet) const {
     constexpr std::uint64_t k40Bits = 0xff'ffff'ffff;
-    if (sheet_.is_fusa) return;  // its header differs
+    if (sheet_.is_fusa) return;  // headers of this profile differ
     const std::uint64_t serial = PacketNumber<std::uint64_t>(packet.bytes, 7) & k40Bits;
     if (serial == sheet_.serial || serial == 0 || sheet_.serial == 0) return;
     RefusePacket(packet,
@@ -139,7 +139,7 @@ class OusterDecoder : public PacketDecoder {
   UnitReturn ReturnOf(std::string_view pixel, std::size_t number) const {
     if (number >= sheet_.pixel.returns.size()) return {};
     const OusterPixel::Return& at = sheet_.pixel.returns[number];
-    // A last range of 15 bits may have only three bytes left.
+    // The last range has 15 bits, and the pixel may end less than four bytes after it.
     std::uint32_t range = PacketNumber<std::uint16_t>(pixel, at.range_at);
     if (at.range_at + sizeof range <= pixel.size()) {
       range = PacketNumber<std::uint32_t>(pixel, at.range_at);

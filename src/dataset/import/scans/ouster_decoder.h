@@ -5,16 +5,19 @@
 
 namespace tera {
 
-/// Decoder for packets of an Ouster.
+/// Decoder for Ouster packets.
 ///
-/// Frames  lidar's frame L, x towards the connector; S from the metadata's transform to L.
-/// Model   column m of M of a turn at theta = 2 pi (1 - m / M); beam i at altitude phi_i and
-///         theta_i = theta - azimuth_i. With range r and n the distance of the beams' origin (b_x,
-///         0, b_z) from that of L: x = (r - n) cos theta_i cos phi_i + b_x cos theta, y likewise
-///         with sines, z = (r - n) sin phi_i + b_z. A scan is a frame by its number; each column
-///         has its own stamp. Columns not marked as valid are no rays. A second return without a
-///         first is its ray's only return. Rings count from the top.
-/// Omits   signal and near-infrared. Packets that come after those of the next frame are faults.
+/// Frames  L lidar frame, x towards the connector; S sensor frame, given by the metadata's
+///         transform to L.
+/// Model   Column m of M has the encoder angle theta = 2 pi (1 - m / M). Beam i has altitude phi_i
+///         and azimuth theta_i = theta - azimuth_i. For range r and n = |(b_x, 0, b_z)|, where
+///         (b_x, 0, b_z) is the origin of the beams in L: x = (r - n) cos theta_i cos phi_i + b_x
+///         cos theta, y likewise with sines, z = (r - n) sin phi_i + b_z. A scan consists of the
+///         packets with the same frame number; each column has its own stamp. Columns not marked
+///         valid contain no rays. A second return without a first one is treated as the only
+///         return. Ring 0 is the top beam.
+/// Omits   signal and near-infrared. A packet that arrives after packets of the next frame is a
+///         fault.
 /// Source  Ouster Firmware User Manual, "Lidar data" and "Lidar range to XYZ".
 std::unique_ptr<PacketDecoder> MakeOusterDecoder(const OusterSheet& sheet,
                                                  const DecodeOptions& options, TakeScan take);

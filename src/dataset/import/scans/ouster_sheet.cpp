@@ -31,7 +31,7 @@ const std::map<std::string, OusterPixel>& Profiles() {
   return profiles;
 }
 
-/// Looks up keys at the top, or in the group of newer firmware.
+/// Finds keys at the top level, or in the groups of newer firmware.
 class SheetReader {
  public:
   explicit SheetReader(const std::filesystem::path& file) : file_(file.string()) {
@@ -46,7 +46,7 @@ class SheetReader {
     if (json_.contains(group) && json_[group].is_object()) at = &json_[group];
     return at->contains(key) ? &(*at)[key] : nullptr;
   }
-  /// A key of the group that describes packets, under either of its names.
+  /// A key of the group that describes packets. The group has two possible names.
   const Json* Format(const std::string& key) const {
     for (const char* group : {"lidar_data_format", "data_format"}) {
       if (json_.contains(group) && json_[group].is_object() && json_[group].contains(key)) {
@@ -107,7 +107,7 @@ Pose PoseOf(const std::vector<double>& rows_mm) {
   return X;
 }
 
-/// Parses "1024x10": columns per turn and turns per second.
+/// Parses a mode such as "1024x10": columns per turn and turns per second.
 void ReadMode(const SheetReader& reader, OusterSheet* sheet) {
   const Json* value = reader.Find("config_params", "lidar_mode");
   const std::string mode = reader.Text(value, "");

@@ -12,7 +12,7 @@ namespace tera {
 
 static_assert(std::endian::native == std::endian::little, "packets of lidars are little-endian");
 
-/// Little-endian number at byte `at` of a packet; the caller ensures the length.
+/// Little-endian number at byte `at` of a packet. The caller must check the length.
 template <typename T>
 T PacketNumber(std::string_view bytes, std::size_t at) {
   TERA_CHECK(at + sizeof(T) <= bytes.size(), at, bytes.size());

@@ -7,21 +7,22 @@
 
 namespace tera {
 
-/// Options of decoding packets into scans.
+/// Options for decoding packets to scans.
 struct DecodeOptions {
   ReturnsKept returns = ReturnsKept::kStrongest;
-  bool by_unit_clock = false;  ///< else by the receiver's
+  bool by_unit_clock = false;  ///< times are those of the unit's clock; otherwise of the receiver's
+                               ///< clock
 };
 
-/// Decodes the packets of one unit into scans, in the order of reception.
+/// Decodes the packets of one unit, given in the order of reception, to scans.
 ///
-/// Frames  points in the sensor's frame S, x forward, y left, z up.
+/// Frames  Points are in the sensor frame S: x forward, y left, z up.
 class PacketDecoder {
  public:
   virtual ~PacketDecoder() = default;
-  /// Throws InputError with the packet's place for a packet of another unit.
+  /// Throws InputError with the place of the packet if it belongs to a different unit.
   virtual void Take(const UnitPacket& packet) = 0;
-  /// Passes on the last scan.
+  /// Emits the last scan.
   virtual void Finish() = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Size of the array `data` in one packet of a message.
+/// Size of the array `data` of a packet.
 constexpr std::size_t kVelodyneBytes = 1206, kPandarBytes = 1500;
 
 bool IsOuster(std::string_view type) {
@@ -48,7 +48,7 @@ class MessageVisitor : public BagVisitor {
   int number_ = 0;
 };
 
-/// Reads a message with several packets, each with its own stamp.
+/// Reads a message that contains several packets with one stamp each.
 void TakeScanMessage(const BagTopic& topic, const BagMessage& message, const std::string& place,
                      const LeaveOut& leave_out, const TakePacket& take) {
   const bool has_size = topic.type == kPandarType;

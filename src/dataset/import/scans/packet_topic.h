@@ -10,22 +10,23 @@ namespace tera {
 
 inline constexpr std::string_view kVelodyneType = "velodyne_msgs/VelodyneScan";
 inline constexpr std::string_view kPandarType = "pandar_msgs/PandarScan";
-/// Message types of Ouster's drivers, with one packet each.
+/// Message types of Ouster's drivers. A message holds one packet.
 inline constexpr std::string_view kOusterType = "ouster_ros/PacketMsg",
                                   kOusterMsgsType = "ouster_msgs/PacketMsg",
                                   kOusterSensorType = "ouster_sensor_msgs/PacketMsg";
 
-/// Whether messages of this type hold lidar packets.
+/// True for message types that contain lidar packets.
 bool HoldsPackets(std::string_view type);
 
-/// Passes each message of a topic with its place to `take`. Faults of BadBytes become InputErrors
-/// with that place. With `skips_bad`, unreadable messages and damage of the bag go to `leave_out`.
+/// Passes each message of a topic to `take`, with its place for error messages. BadBytes becomes an
+/// InputError with that place. With `skips_bad`, unreadable messages and damage of the bag are
+/// reported to `leave_out`.
 using TakeMessage = std::function<void(const BagMessage& message, const std::string& place)>;
 void ReadMessages(const std::filesystem::path& bag, const BagTopic& topic, UnpackedFiles* unpacked,
                   bool skips_bad, const LeaveOut& leave_out, const TakeMessage& take);
 
-/// Passes the packets of such a topic to `take`, in order. Packets of Ouster's driver have no
-/// stamp; the bag's recording time counts as their time of reception.
+/// Passes the packets of such a topic to `take`, in order. Packets of Ouster's drivers have no
+/// stamp; their time of reception is the recording time in the bag.
 void ReadPacketTopic(const std::filesystem::path& bag, const BagTopic& topic,
                      UnpackedFiles* unpacked, bool skips_bad, const LeaveOut& leave_out,
                      const TakePacket& take);

@@ -20,7 +20,7 @@ constexpr std::size_t kTailStamp = kPandarTail + 12, kTailDate = kPandarTail + 1
 constexpr double kPandarTurn_deg = 360, kPandarStep_m = 0.004;
 constexpr double kFirstBlock_us = 25.71, kBlock_us = 500.0 / 3;
 
-/// Firing time of each laser after its block's start.
+/// Firing time of each laser since the start of its block.
 constexpr std::array<double, kQt64Lasers> kPandarFiring_us = {
     12.31,  14.37,  16.43,  18.49,  20.54,  22.60,  24.66,  26.71,  29.16,  31.22,  33.28,
     35.34,  37.39,  39.45,  41.50,  43.56,  46.61,  48.67,  50.73,  52.78,  54.84,  56.90,
@@ -98,7 +98,7 @@ class PandarDecoder : public PacketDecoder {
            PacketNumber<std::uint16_t>(packet.bytes, kPandarHead + block * kPandarBlock);
   }
 
-  /// Time of a packet from its date, second and microseconds.
+  /// Time of a packet from its fields for date, second and microseconds.
   TimeNs TimeOf(const UnitPacket& packet) {
     namespace chrono = std::chrono;
     const auto part = [&](std::size_t k) {

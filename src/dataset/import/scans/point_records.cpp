@@ -12,9 +12,9 @@
 namespace tera {
 namespace {
 
-/// Bounds of a scan's duration: above the slowest lidar's turn, and about a thousandth of it.
+/// Limits of a scan's duration: one turn of the slowest lidar, and about a thousandth of a turn.
 constexpr double kLongestScan_s = 4, kShortestScan_s = 1e-3;
-/// Times from this value on, in seconds, count from 1970.
+/// Times above this number of seconds count from 1970.
 constexpr double kSinceEpoch_s = 1e8;
 
 template <typename T>
@@ -101,8 +101,8 @@ double RecordReader::TimeUnit_s(double largest) const {
   if (form_.time_unit_s) return *form_.time_unit_s;
   if (time_->type != 'F') return kNs;
   if (time_->bytes == 4 || largest < kSinceEpoch_s) return 1;
-  // As seconds since 1970, 1e8 is in 1973 and 1e12 far in the future. Larger values have smaller
-  // units.
+  // In seconds since 1970, 1e8 is in the year 1973 and 1e12 far in the future. Larger values thus
+  // have a smaller unit.
   constexpr double kMost_s = 1e12, kMost_us = 1e17;
   return largest < kMost_s ? 1 : largest < kMost_us ? kUs : kNs;
 }
@@ -130,7 +130,8 @@ std::vector<TimeNs> RecordReader::Times(TimeNs stamp_ns) const {
   }
   const double unit_s = TimeUnit_s(*most);
   const double length_s = (*most - *least) * unit_s;
-  // Integers may count ns or us. Floats in another unit than s would make the scan far too long.
+  // Integers may be in ns or us, so the duration has a lower limit. Floats in another unit than s
+  // would make it far too long.
   const double shortest_s = time_->type == 'F' ? 0 : kShortestScan_s;
   if (records_.count > 1 && !(length_s >= shortest_s && length_s <= kLongestScan_s)) {
     Fail({FaultKind::kOutOfRange,
@@ -139,7 +140,8 @@ std::vector<TimeNs> RecordReader::Times(TimeNs stamp_ns) const {
                       length_s, time_->name, unit_s, shortest_s, kLongestScan_s)});
   }
   const bool is_absolute = *most * unit_s >= kSinceEpoch_s;
-  // Differences from the smallest value are small enough for a double to hold to the nanosecond.
+  // The smallest value is subtracted first. A double then represents the difference to the
+  // nanosecond.
   const double from = is_absolute ? std::floor(*least) : 0;
   const TimeNs from_ns = is_absolute ? std::llround(from) * std::llround(unit_s * 1e9) : stamp_ns;
   std::vector<TimeNs> times_ns;
@@ -156,7 +158,7 @@ std::vector<float> RecordReader::Intensities() const {
   const double full = form_.full_intensity.value_or(is_byte ? 255 : 1);
   for (std::size_t k = 0; k < records_.count; ++k) {
     const double value = Number(*intensity_, k) / full;
-    // A point with a non-finite value has no position.
+    // A point that is not finite has no position.
     if (!std::isfinite(value)) continue;
     if (value < 0 || value > 1) {
       Fail({FaultKind::kOutOfRange,

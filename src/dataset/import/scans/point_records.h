@@ -11,45 +11,45 @@
 
 namespace tera {
 
-/// One field of the points in a message or file.
 struct RecordField {
   std::string name;
   char type = 'F';  ///< F floating, U unsigned, I signed
   std::size_t bytes = 4, at = 0;
 };
 
-/// Points as records of equal length.
+/// Points as binary records of equal length.
 struct PointRecords {
   std::vector<RecordField> fields;
   std::size_t step = 0, count = 0;
   std::string_view bytes;
   bool is_big_endian = false;
-  std::string place;  ///< for faults
+  std::string place;  ///< place for error messages
 };
 
-/// Properties of points that the mapping adds to their fields.
+/// Facts about points that the record fields do not state; the mapping gives them.
 struct PointForm {
   enum class Stamp { kUnknown, kFirst, kLast };
-  Stamp stamp = Stamp::kUnknown;         ///< ray that the scan's stamp refers to
-  std::optional<double> duration_s;      ///< from the first ray to the last
-  std::string time_field;                ///< empty: found by name
-  std::optional<double> time_unit_s;     ///< unit of the time field; none: by type and size
-  std::optional<double> full_intensity;  ///< intensity of full scale; none: by type
+  Stamp stamp = Stamp::kUnknown;      ///< ray at which the scan's stamp is taken
+  std::optional<double> duration_s;   ///< time from the first ray to the last
+  std::string time_field;             ///< empty: searched by common names
+  std::optional<double> time_unit_s;  ///< unit of the time field; if absent, inferred from type and
+                                      ///< size
+  std::optional<double> full_intensity;  ///< raw intensity that becomes 1; if absent, inferred from
+                                         ///< the type
 };
 
-/// Converts records to a scan.
+/// Converts point records to a scan.
 ///
-/// Frames  that of the file, in metres. It is TERA's S if the mapping's mount refers to the file's
-///         frame.
-/// Model   position: x, y, z.
-///         intensity or reflectivity: over 255 if of 8 bits, else over `full_intensity`. Without
-///         that key the values must lie in 0 to 1.
-///         ring, line, channel or laser_id.
-///         time: t, time, timestamp, time_stamp or offset_time. Integers are ns since the stamp.
-///         Floats of 4 bytes are s since it. Floats of 8 bytes are s since it, or s, us or ns since
-///         1970 by their size.
-///         Points that are not finite, or at the origin, are rays without a return.
-/// Throws  InputError where a field is missing, or where the times cannot be those of a scan.
+/// Frames  Coordinates keep the frame of the file, in metres. If the mapping's mount describes that
+///         frame, it becomes the sensor frame S.
+/// Model   Position: fields x, y, z. Intensity: field intensity or reflectivity; 8-bit values are
+///         divided by 255, others by `full_intensity`. Without `full_intensity`, other values must
+///         be in [0, 1]. Ring: field ring, line, channel or laser_id. Time: field t, time,
+///         timestamp, time_stamp or offset_time. An integer is in ns since the stamp; a 4-byte
+///         float is in s since the stamp. An 8-byte float is in s since the stamp, or in s, us or
+///         ns since 1970, depending on its size. A point that is not finite or at the origin is a
+///         ray without return.
+/// Throws  InputError if a field is missing or the times cannot belong to one scan.
 class RecordReader {
  public:
   RecordReader(const PointRecords& records, const PointForm& form);

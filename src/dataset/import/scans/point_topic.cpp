@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Field of a type number of sensor_msgs/PointField.
+/// Field with a datatype number of sensor_msgs/PointField.
 RecordField FieldOfDatatype(std::string_view name, std::uint8_t datatype, std::uint32_t offset) {
   struct Kind {
     char type;
@@ -65,8 +65,8 @@ PointRecords PointCloudRecords(MessageCursor* cursor_of_message) {
     const std::string_view name = cursor.Text();
     const auto offset = cursor.Number<std::uint32_t>();
     const auto datatype = cursor.Number<std::uint8_t>();
-    cursor.Number<std::uint32_t>();  // count; 1 for each of the fields used
-    // Some writers declare padding as fields without a name.
+    cursor.Number<std::uint32_t>();  // count, which is 1 for every field in use
+    // Some writers declare padding as unnamed fields.
     if (!name.empty()) records.fields.push_back(FieldOfDatatype(name, datatype, offset));
   }
   records.is_big_endian = cursor.Number<std::uint8_t>() != 0;

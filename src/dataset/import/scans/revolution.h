@@ -7,39 +7,39 @@
 
 #include "core/types/measurement.h"
 
-/// Revolution in progress and its clock, shared by the packet decoders.
+/// The scan being assembled and its clock. All packet decoders use them.
 
 namespace tera {
 
-/// One scan of a unit.
+/// A complete scan of a unit.
 struct UnitScan {
   LidarScan scan;
-  std::string place;  ///< first packet or message, for faults
-  double turn = 1;    ///< covered share of a whole turn
+  std::string place;  ///< first packet or message, for error messages
+  double turn = 1;    ///< fraction of a full turn that the scan covers
   std::int64_t rays = 0;
-  std::int64_t second_returns = 0;  ///< rays with two returns, kept or not
+  std::int64_t second_returns = 0;  ///< number of rays with two returns, whether both are kept or
+                                    ///< not
 };
 using TakeScan = std::function<void(UnitScan scan)>;
 
-/// Choice of the returns that become points.
+/// Selection of the returns that become points.
 enum class ReturnsKept { kStrongest, kAll };
 
-/// One return of a ray.
 struct UnitReturn {
-  double range_m = 0;  ///< 0: none
+  double range_m = 0;  ///< 0: no return
   std::uint8_t reflectivity = 0;
 };
 
-/// Converts the unit's times to those of the scans.
+/// Converts times of the unit to times of the scan.
 ///
-/// Model   by the unit's clock, unchanged; or by the receiver's. In the latter case the first
-///         packet of a scan counts as received when its first ray left, and later times follow the
-///         unit's clock.
+/// Model   Times follow the unit's clock unchanged, or the receiver's clock. In the second case,
+///         the reception time of a scan's first packet is taken as the time of its first ray.
+///         Differences within the scan follow the unit's clock.
 class UnitClock {
  public:
   explicit UnitClock(bool is_unit) : is_unit_(is_unit) {}
 
-  /// Synchronises the clocks at the first packet of a scan.
+  /// Aligns the clocks at the first packet of a scan.
   void Anchor(TimeNs received_ns, TimeNs unit_ns) {
     if (!is_unit_) ahead_ns_ = received_ns - unit_ns;
   }
@@ -51,19 +51,19 @@ class UnitClock {
   TimeNs ahead_ns_ = 0;
 };
 
-/// Collects the points of scans one after another.
+/// Collects the points of consecutive scans.
 class Revolution {
  public:
   explicit Revolution(TakeScan take) : take_(std::move(take)) {}
 
   bool is_empty() const { return rays_ == 0; }
   void Begin(std::string place) { place_ = std::move(place); }
-  /// A ray that left at `t_ns`, with or without a return.
+  /// Adds a ray emitted at `t_ns`, with or without a return.
   void AddRay(TimeNs t_ns);
   void AddPoint(const LidarPoint& point, TimeNs t_ns);
   void CountSecondReturn() { ++second_returns_; }
-  /// Passes on the scan and starts the next. Points are sorted by time. Throws InputError where
-  /// their times exceed the range of LidarPoint.
+  /// Emits the scan with points sorted by time, and starts the next. Throws InputError if the times
+  /// exceed the range of LidarPoint.
   void End(double turn);
 
  private:
@@ -79,11 +79,11 @@ class Revolution {
   std::int64_t rays_ = 0, second_returns_ = 0;
 };
 
-/// Returns of one ray that become points: none, one, or with kAll two at different ranges. A single
-/// return is the stronger one, or the nearer of equally strong ones.
+/// Returns of a ray that become points: none, one, or with kAll two at different ranges. If one is
+/// selected, it is the stronger; on a tie, the nearer.
 std::vector<UnitReturn> KeptReturns(const UnitReturn& a, const UnitReturn& b, ReturnsKept kept);
 
-/// Rings of beams by descending elevation, 0 at the top.
+/// Ring number of each beam; ring 0 has the highest elevation.
 std::vector<std::uint16_t> RingsOf(const std::vector<double>& elevations);
 
 }  // namespace tera

@@ -24,7 +24,7 @@ namespace {
 
 std::string EndingOf(const fs::path& file) { return LowerCase(file.extension().string()); }
 
-/// The header of a PCD file, or of a PLY file.
+/// Header of a PCD or PLY file.
 struct PcdHead {
   std::vector<RecordField> fields;
   std::size_t step = 0, points = 0, columns = 0, body = 0;
@@ -78,7 +78,7 @@ void RequireBody(const fs::path& file, std::size_t found, std::size_t need) {
                          need, found));
 }
 
-/// Decompresses a body, and converts it from field-major to point-major order.
+/// Decompresses the data and converts it from field-major to point-major order.
 std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view body) {
   std::uint32_t sizes[2] = {};
   RequireBody(file, body.size(), sizeof sizes);
@@ -86,7 +86,7 @@ std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view
   body.remove_prefix(sizeof sizes);
   RequireBody(file, body.size(), sizes[0]);
   std::string columns(head.points * head.step, '\0');
-  constexpr std::size_t kMostExpanded = 512;  // limit of LZF's compression
+  constexpr std::size_t kMostExpanded = 512;  // largest expansion of LZF
   const bool fits = sizes[1] == columns.size() && columns.size() <= kMostExpanded * sizes[0];
   if (!columns.empty() &&
       (!fits || lzf_decompress(body.data(), sizes[0], columns.data(), sizes[1]) != sizes[1])) {
@@ -104,7 +104,7 @@ std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view
   return records;
 }
 
-/// Converts a text table to records of doubles, and changes the fields accordingly.
+/// Converts text to binary records of doubles, and changes the fields accordingly.
 std::string FromText(const fs::path& file, PcdHead* head, const std::string& body) {
   std::istringstream words(body);
   std::string records;

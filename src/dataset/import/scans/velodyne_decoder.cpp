@@ -16,10 +16,10 @@ using Layout = VelodyneLayout;
 
 constexpr TimeNs kHour_ns = 3600 * kNsPerSecond, kMicrosecond_ns = 1000;
 constexpr double kTurn_deg = 360;
-/// At 1200 turns per minute, a VLP-16 turns 0.8 degrees in two sequences. A larger step is a gap.
+/// At 1200 rpm a VLP-16 turns by 0.8 degrees during two firing sequences. A larger step is a gap.
 constexpr double kMostGap_deg = 2;
 
-/// Name of the model with a factory byte: "VLP-16 or Puck LITE".
+/// Model name for a factory byte, such as "VLP-16 or Puck LITE".
 std::string ModelText(std::uint8_t byte) {
   switch (byte) {
     case 0x21:
@@ -90,7 +90,7 @@ class VelodyneDecoder : public PacketDecoder {
   struct BlockTurn {
     double azimuth_deg, gap_deg;
     TimeNs unit_ns;   ///< time of the packet
-    double start_us;  ///< start of the block after unit_ns
+    double start_us;  ///< start of the block, in us after unit_ns
   };
 
   void RequireOwn(const UnitPacket& packet) const {
@@ -126,7 +126,7 @@ class VelodyneDecoder : public PacketDecoder {
     return kStep_deg * PacketNumber<std::uint16_t>(packet.bytes, block * Layout::kBlockBytes + 2);
   }
 
-  /// The unit counts from the top of the hour; the receiver's clock supplies the hour.
+  /// The unit's time counts from the full hour. The receiver's clock supplies the hour.
   TimeNs TimeOf(const UnitPacket& packet) {
     const TimeNs in_hour_ns =
         kMicrosecond_ns * PacketNumber<std::uint32_t>(packet.bytes, Layout::kStampAt);

@@ -9,14 +9,16 @@ namespace tera {
 
 /// Decoder for packets of a Velodyne.
 ///
-/// Frames  S: the manual's y points forward and is x of S; its x points right and is -y of S.
-/// Model   laser n of a block at azimuth A, elevation w_n: alpha = A + dA t_n / T + offset_n. t_n
-///         is the time since the block's start, T the block's duration and dA the turn until the
-///         next block. Position: (r cos w cos alpha, -r cos w sin alpha, r sin w + origin_z_n).
-///         Blocks of a dual return come in pairs: the last return, then the strongest or second
-///         strongest. A scan begins at azimuth 0, which is forward.
-/// Omits   the split of reflectivity at 100 between diffuse and retroreflective targets: 0 to 255
-///         map linearly to 0 to 1.
+/// Frames  S sensor frame: its x axis is the manual's y (forward), and its y axis is the manual's
+///         -x (left).
+/// Model   For laser n of a block with azimuth A: alpha = A + dA t_n / T + offset_n. t_n is the
+///         firing time since the start of the block. T is the duration of the block. dA is the
+///         azimuth difference to the next block. With elevation w, the point is (r cos w cos alpha,
+///         -r cos w sin alpha, r sin w + origin_z_n). In dual return mode, blocks come in pairs:
+///         first the last return, then the strongest or second strongest. A scan begins at azimuth
+///         0, which is forward.
+/// Omits   the split of reflectivity at 100 into diffuse and retroreflective targets: 0 to 255 map
+///         linearly to 0 to 1.
 /// Source  the manuals, "Calculating X,Y,Z coordinates" and "Precision azimuth calculation".
 std::unique_ptr<PacketDecoder> MakeVelodyneDecoder(const VelodyneUnit& unit,
                                                    const DecodeOptions& options, TakeScan take);

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kFiring_us = 2.304;
 
-/// Start times of groups of `at_once` lasers that fire together, group by group.
+/// Firing times if groups of `at_once` lasers fire together, one group after another.
 std::vector<double> FiringTimes(int lasers, int at_once) {
   std::vector<double> times_us;
   for (int n = 0; n < lasers; ++n) times_us.push_back(kFiring_us * (n / at_once));

@@ -28,12 +28,12 @@ Paths StandardPaths(const BagTopic& topic, const std::vector<const char*>& keys,
   return paths;
 }
 
-/// Largest rate of a cab, a boom or an arm.
+/// Largest turn rate of a cab, boom or arm.
 constexpr double kFastBody_radps = 3;
 
 constexpr std::array<const char*, 7> kPoseKeys = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 
-/// Numbers of messages with a unit orientation, and with an all-zero one.
+/// Number of messages with a unit quaternion, and with an all-zero quaternion.
 struct Orientations {
   std::int64_t unit = 0, zero = 0;
 };
@@ -54,8 +54,8 @@ Orientations OrientationsOf(const TopicLook& look) {
   return found;
 }
 
-/// The likeliest pair of frames for the machine's pose: map frames over odometry, the base over
-/// other parts. Nothing without a pair from a world frame.
+/// The most likely pair of frames for the machine's pose. Map frames are preferred over odometry
+/// frames, and the base over other parts. Returns nullopt if no pair has a world frame.
 std::optional<std::pair<std::string, std::string>> PairOfMachine(
     const std::map<std::vector<std::string>, std::int64_t>& pairs) {
   constexpr std::array<std::string_view, 6> kWorlds = {"map", "world", "utm",
@@ -119,7 +119,7 @@ std::string BagChannels::AddImu(const SeenTopic& seen, TakenNames* names) {
   UnitGuess rate = GuessRateUnit(rates, {look.times().t_ns, forces});
   UnitGuess force = GuessAccelerationUnit(forces);
   std::string yaml;
-  // ROS's units are rad/s and m/s2 unless the numbers contradict.
+  // The units of ROS are assumed (rad/s, m/s2) unless the numbers contradict them.
   if (rate.unit == "rad/s") rate.doubt.clear();
   if (!rate.is_known()) {
     if (std::max({rates[0]->LargestSize(), rates[1]->LargestSize(), rates[2]->LargestSize()}) >
@@ -225,7 +225,7 @@ std::string BagChannels::AddJointSet(const SeenTopic& seen, const std::vector<st
     paths.push_back("velocity[" + joint + "]");
   }
   const TopicLook look = Look(seen, paths);
-  // The rows of this set are those with numbers of its first joint.
+  // Rows of this set are those in which its first joint has a number.
   const std::int64_t positions = look.Count(0), rows = std::max(positions, look.Count(1));
   RuleGuesses rules;
   if (rows < static_cast<std::int64_t>(look.rows()) && rows > 0) {
@@ -311,7 +311,7 @@ std::string BagChannels::PairsText(const SeenTopic& seen) const {
 }
 
 std::string BagChannels::Yaml() const {
-  // Stamps of another clock are used if all channels have them.
+  // Stamps from a different clock are used only if all channels have such stamps.
   const bool trusts_far =
       std::all_of(entries_.begin(), entries_.end(),
                   [](const Entry& e) { return e.times.HasStamps() && e.times.IsFar(); }) &&

@@ -8,7 +8,7 @@
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/import/suggest/topic_look.h"
 
-/// Channels from a bag's topics, as texts of a mapping.
+/// Creates mapping text for channels from the topics of a bag.
 
 namespace tera {
 
@@ -17,15 +17,15 @@ struct SeenTopic {
   std::int64_t messages = 0;
   TimeNs first_ns = 0, last_ns = 0;  ///< recording times
 
-  /// "100 messages, 10 Hz"
+  /// Text such as "100 messages, 10 Hz".
   std::string Rate() const;
 };
 
-/// Whether a message is one number, such as std_msgs/Float32.
+/// True if a message of the topic is a single number, such as std_msgs/Float32.
 bool IsNumber(const BagTopic& topic);
 
-/// Each Add examines the messages and returns the reason why they form no channel, or an empty
-/// text.
+/// Each Add function examines the messages of a topic and adds a channel. It returns the reason if
+/// no channel is possible, and an empty text otherwise.
 class BagChannels {
  public:
   BagChannels(const std::filesystem::path& log, UnpackedFiles* unpacked)
@@ -35,20 +35,20 @@ class BagChannels {
   std::string AddReceiver(const SeenTopic& seen, TakenNames* names);
   std::string AddJoints(const SeenTopic& seen, TakenNames* names);
   std::string AddPose(const SeenTopic& seen);
-  /// TERA's own message: levers, and the pose of the tool as a table.
+  /// TERA's own message DeltaCan gives levers, and a table with the pose of the tool.
   std::string AddDeltaCan(const SeenTopic& seen, TakenNames* names);
   std::string AddToolPose(const SeenTopic& seen, TakenNames* names);
-  /// A lever, an angle or a table of one column, by the topic's name.
+  /// Adds a lever, an angle or a one-column table, depending on the topic's name.
   std::string AddNumber(const SeenTopic& seen, TakenNames* names);
-  /// "odom>base_link 100, ..." for a topic of transforms.
+  /// Text such as "odom>base_link 100, ..." with counts, for a topic of transforms.
   std::string PairsText(const SeenTopic& seen) const;
-  /// `zero:`, `origin:` and all channels.
+  /// The keys `zero` and `origin`, and all channels.
   std::string Yaml() const;
 
  private:
-  /// A channel, whose time is chosen when all channels are known.
+  /// A channel. Its time is chosen after all channels are known.
   struct Entry {
-    std::string key;  ///< "imus"
+    std::string key;  ///< such as "imus"
     std::string head;
     TopicTimes times;
     RuleGuesses rules;
@@ -67,7 +67,7 @@ class BagChannels {
            const RuleGuesses& rules, const std::string& rest, TakenNames* names);
   std::string AddJointSet(const SeenTopic& seen, const std::vector<std::string>& joints,
                           TakenNames* names);
-  /// The table of AddNumber's levers, and the latest of their first times.
+  /// Table of all levers found by AddNumber. `first_ns` receives the latest of their first times.
   std::string CommandsYaml(bool trusts_far, TimeNs* first_ns) const;
 
   std::filesystem::path log_;

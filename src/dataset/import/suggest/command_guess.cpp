@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> kCommandWords = {
     "cmd",       "command", "commanded", "ref",      "reference", "setpoint",
     "setpoints", "sp",      "target",    "desired",  "des",       "demand",
     "goal",      "request", "soll",      "sollwert", "consigne",  "vorgabe"};
-/// Words of quantities with a unit, which are not levers.
+/// Words for quantities that have a unit and thus are not levers.
 constexpr std::array<std::string_view, 22> kQuantityWords = {
     "speed", "vel", "velocity",        "rate",   "angle", "pos",   "position", "pressure",
     "flow",  "rpm", "force",           "torque", "omega", "yaw",   "heading",  "deg",
@@ -64,7 +64,7 @@ bool IsSlew(const std::string& word) {
   return joint == "slew" || joint == "swing";
 }
 
-/// "left_track"; the joint's name if a single word means a joint.
+/// Name made of the words, such as "left_track"; the joint's name if the only word denotes a joint.
 std::string NameOfWords(const std::vector<std::string>& words) {
   const std::string joint = words.size() == 1 ? JointOfWord(words.front()) : "";
   return joint.empty() ? PlainNameOf(fmt::format("{}", fmt::join(words, "_"))) : joint;
@@ -76,7 +76,8 @@ bool IsJoint(const std::vector<std::string>& words) {
          (words.size() == 1 && !JointOfWord(words.front()).empty());
 }
 
-/// The name without a direction: separate levers of the two directions belong to one joint.
+/// The name without its direction, and the direction. Two levers for opposite directions belong to
+/// one joint.
 std::optional<std::pair<std::vector<std::string>, bool>> WithoutDirection(const Named& named) {
   for (const Direction& direction : kDirections) {
     for (const bool is_plus : {true, false}) {
@@ -95,7 +96,7 @@ std::optional<std::pair<std::vector<std::string>, bool>> WithoutDirection(const 
 
 bool IsLever(const Named& named) {
   if (named.rest.empty()) return false;
-  // A share has no unit except per cent, and a pulse only one of time.
+  // A fraction has no unit or per cent; a pulse has a unit of time or none.
   const UnitGuess unit = GuessAnyUnit(*named.column);
   if (unit.unit != "1" && unit.unit != "%" && unit.unit != "us") return false;
   if (named.is_lever) return true;
@@ -104,7 +105,7 @@ bool IsLever(const Named& named) {
   return IsJoint(named.rest) || (one_way && IsJoint(one_way->first));
 }
 
-/// Encoding of lever values.
+/// Encoding of the values of a lever.
 struct LeverCoding {
   std::string keys;    ///< keys that follow the column
   std::string remark;  ///< empty for the usual encoding
@@ -118,7 +119,7 @@ LeverCoding CodingOf(const std::vector<Named>& levers) {
     most = std::max(most, levers[k].column->LargestSize());
     least = k == 0 ? levers[k].column->Least() : std::min(least, levers[k].column->Least());
   }
-  // Allows some per cent of overshoot.
+  // Limits allow an overshoot of some per cent.
   constexpr double kMostShare = 1.5, kMostPerCent = 110, kMostThousandths = 1100;
   constexpr double kLeastPulse = 800, kMostPulse = 2200, kMostByte = 255;
   if (most <= kMostShare) return {"unit: '1'", ""};
@@ -135,7 +136,7 @@ LeverCoding CodingOf(const std::vector<Named>& levers) {
   return {"unit: '1'", "no share of full: give scale and offset"};
 }
 
-/// Per cent if the column says so, else the encoding of all levers.
+/// Per cent if the column is in per cent, or else the encoding common to all levers.
 LeverCoding CodingOf(const Named& lever, const LeverCoding& of_all) {
   return GuessAnyUnit(*lever.column).unit == "%" ? LeverCoding{"unit: '%'", ""} : of_all;
 }
@@ -149,7 +150,7 @@ CommandLine LineOf(const Named& lever, const LeverCoding& of_all) {
           {lever.column}};
 }
 
-/// The lever of two directions, where `other` is the opposite of `lever`.
+/// A lever from two columns with opposite directions, as the difference `plus` - `minus`.
 CommandLine DifferenceOf(const Named& plus, const Named& minus, const LeverCoding& coding,
                          const std::vector<std::string>& words) {
   const auto term = [&](const Named& named, const char* scale) {

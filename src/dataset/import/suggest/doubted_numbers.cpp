@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// The smallest period of an angle, in its own numbers.
+/// Full turn of an angle, in the unit of its numbers.
 struct TurnOfUnit {
   double turn = 0;
   UnitGuess unit;
@@ -33,8 +33,8 @@ std::vector<TurnOfUnit> TurnsOfUnits(const std::optional<UnitGuess>& told) {
   return turns;
 }
 
-/// Whether the numbers fit a sensor that counts from 0 or from minus half a turn. A few rows are
-/// not enough.
+/// True if all numbers fit a sensor that counts from 0 or from minus half a turn. A few rows are
+/// not sufficient.
 bool MayBeWithin(double turn, const std::vector<double>& angle) {
   constexpr std::size_t kLeastRows = 8;
   constexpr double kSlack = 0.01;
@@ -110,7 +110,7 @@ std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
       !std::all_of(forces.begin(), forces.end(), is_whole)) {
     return "";
   }
-  // Without times or a unit, the turn by the rates is unknown.
+  // Without times or a unit, the rates cannot be integrated.
   const bool knows_turns = t_ns.size() == rows && rate_unit.is_known();
   const double rate_factor = knows_turns ? RateFactor(rate_unit) : 0;
   const auto vector = [](const std::vector<const NumbersOfColumn*>& axes, std::size_t row) {
@@ -118,7 +118,7 @@ std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
   };
   double force_factor = ForceFactor(force_unit);
   if (!force_unit.is_known()) {
-    // Raw counts of unknown scale are judged by their direction.
+    // For raw counts of unknown scale, only the direction is examined.
     std::vector<double> sizes;
     for (std::size_t row = 0; row < rows; ++row) sizes.push_back(vector(forces, row).norm());
     force_factor = std::min(1.0, kStandardGravity_mps2 / std::max(Median(sizes), 1e-9));

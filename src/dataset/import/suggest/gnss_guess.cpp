@@ -25,7 +25,7 @@ bool AreDegreesAndMinutes(const NumbersOfColumn& column) {
                      [](double value) { return std::fmod(std::abs(value), 100) < kMinutes; });
 }
 
-/// The scale in a name, from "e7" or "1e-7"; 0: none.
+/// The scale given in a name, such as "e7" or "1e-7"; 0 if none.
 double ScaleOfName(std::string_view name) {
   const std::string lower = LowerCase(std::string(name));
   for (const auto& [ending, scale] :
@@ -42,8 +42,8 @@ double DegreesOf(double number, const UnitGuess& unit) {
   return degrees + (number - 100 * degrees) / kMinutes;
 }
 
-/// Whether fix values are types, where 3 is a 3-D fix, instead of GGA qualities, which have 4 and 5
-/// for RTK and never 3.
+/// True if the fix values are fix types, in which 3 means 3D. GGA qualities use 4 and 5 for RTK and
+/// never 3.
 bool AreFixTypes(const NumbersOfColumn& fix) {
   const auto has = [&](double value) {
     return std::find(fix.values.begin(), fix.values.end(), value) != fix.values.end();
@@ -100,13 +100,14 @@ UnitGuess GuessGeodeticUnit(const NumbersOfColumn& lat, const NumbersOfColumn& l
   }
   const auto told = ToldUnit(lat, Dimension::kAngle);
   if (told && (told->unit == "rad" || fits(told->scale))) return *told;
-  // Only sea lies within three degrees of 0, 0.
+  // If degrees were this small, the place would be near latitude 0, longitude 0, where there is
+  // only sea.
   if (most_lat <= kPi / 2 && most_lon <= kPi) {
     return {"rad", 1.0, fmt::format("the largest is {:.4g}", std::max(most_lat, most_lon))};
   }
   if (fits(1)) return {"deg", 1.0, ""};
   const std::string size = fmt::format("up to {:.10g} and {:.10g}", most_lat, most_lon);
-  // A latitude beyond 90 alone may be a longitude.
+  // If only the latitude exceeds 90, it may be a longitude.
   const bool beyond_degrees = std::max(most_lat, most_lon) > kMostLon_deg;
   if (beyond_degrees && fits(0.01) && AreDegreesAndMinutes(lat) && AreDegreesAndMinutes(lon)) {
     return {"ddmm", 1.0, "degrees and minutes, " + size};

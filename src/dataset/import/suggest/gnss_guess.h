@@ -10,37 +10,38 @@
 
 namespace tera {
 
-/// A table's columns of a receiver; absent ones are null.
+/// Columns of a GNSS receiver in a table; null if absent.
 struct PlaceColumns {
   const NumbersOfColumn *lat = nullptr, *lon = nullptr, *alt = nullptr, *fix = nullptr;
-  std::string lat_side, lon_side;  ///< columns of N and S, of E and W; empty: none
-  std::string fix_words;           ///< column with the fix in words
+  std::string lat_side, lon_side;  ///< columns with N or S, and with E or W; empty if absent
+  std::string fix_words;           ///< column with the fix as a word
 };
 
-/// Name of the column that holds only N and S, or E and W.
+/// Name of the column that holds only the given letters, N and S or E and W.
 std::string SideColumn(const CsvFile& csv, const std::vector<NumbersOfColumn>& columns,
                        const std::string& letters);
 
-/// deg, rad, ddmm (degrees and minutes), or degrees as integers of 1e-7 or 1e-6. Names and the
-/// possible range of a latitude and a longitude decide; else unknown.
+/// Guesses deg, rad, ddmm (degrees and minutes), or integers of 1e-7 or 1e-6 degrees, by name and
+/// by the possible range of latitude and longitude. Otherwise unknown.
 UnitGuess GuessGeodeticUnit(const NumbersOfColumn& lat, const NumbersOfColumn& lon);
 
-/// A channel of a mapping, and the origin at its first row with a fix.
+/// Mapping text of a GNSS channel, with the origin at its first row that has a fix.
 struct GnssGuess {
-  std::string origin;   ///< a line "origin: {...}", or a remark if the position is unknown
-  std::string rules;    ///< items of `valid_if`, or nothing
-  std::string columns;  ///< lines
+  std::string origin;   ///< line "origin: {...}", or a remark if the position is unknown
+  std::string rules;    ///< items of `valid_if`; may be empty
+  std::string columns;  ///< lines of the key `columns`
 };
 
-/// Returns nothing if no row has a position. Rows without a fix, and those at 0, 0, have none.
+/// Returns nullopt if no row has a position. A row without a fix or at latitude 0, longitude 0 has
+/// none.
 std::optional<GnssGuess> GuessGnss(const CsvFile& csv, const PlaceColumns& columns);
 
-/// Lines of a table of east, north and, with three columns, up. Map coordinates are `far` from
-/// zero.
+/// Lines of a pose table with columns for east, north and, if there are three, up. `far` means that
+/// map coordinates are far from zero.
 std::string MapPositionYaml(const std::vector<const NumbersOfColumn*>& columns, bool far);
 
-/// The unit of positions x, y, z: from a name, else metres if the motion fits a machine; else
-/// unknown.
+/// Unit of the positions x, y, z. A name decides; otherwise metres if the motion is plausible for a
+/// machine; otherwise unknown.
 UnitGuess GuessPlaceUnit(const std::vector<const NumbersOfColumn*>& place,
                          const std::vector<TimeNs>& t_ns);
 

@@ -21,7 +21,7 @@ double LargestOf(const std::vector<const NumbersOfColumn*>& columns) {
   return largest;
 }
 
-/// Possible unit texts of a name: the text in brackets, else the text after each part.
+/// Texts in a name that may be a unit: the text in brackets, or else the text after each separator.
 std::vector<std::string_view> UnitTextsOf(std::string_view name) {
   const std::size_t open = name.find_first_of("[("), close = name.find_last_of("])");
   if (open != std::string_view::npos && close != std::string_view::npos && close > open) {
@@ -73,7 +73,8 @@ UnitGuess GuessAnyUnit(const NumbersOfColumn& column) {
   for (const std::string_view text : UnitTextsOf(column.name)) {
     const auto unit = UnitOfText(text, Dimension::kAny);
     if (!unit) continue;
-    // Without brackets "p_min" is a minimum, "valve_in" an inlet, and a last letter part of a name.
+    // Without brackets, short endings are not units: "p_min" is a minimum, "valve_in" an inlet, and
+    // a single last letter belongs to the name.
     const bool is_plain = text.size() >= 2 && text != "in" && text != "mg" &&
                           unit->unit->dimension != Dimension::kTime;
     if (has_brackets || is_plain) return GuessOf(*unit);
@@ -95,7 +96,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
   if (is_about(kStandardGravity_mps2)) return {"m/s2", 1.0, ""};
   if (is_about(1.0)) return {"g", 1.0, ""};
   if (is_about(1e3)) return {"g", 1e-3, ""};
-  constexpr double kLeastCounts = 100;  // for one g
+  constexpr double kLeastCounts = 100;  // raw counts for 1 g
   std::string doubt =
       fmt::format("the median vector is {:.4g} long, as gravity is in no unit", length);
   if (length > kLeastCounts) doubt += fmt::format("; counts of g / {:.4g}?", length);
@@ -105,7 +106,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles) {
   if (const auto unit = ToldUnit(*angles.front(), Dimension::kAngle)) return *unit;
   const double largest = LargestOf(angles);
-  // A slewing joint may turn on, but not this far.
+  // A slewing joint may exceed a full turn, but not this much.
   if (largest > 8 * kPi) return {"deg", 1.0, ""};
   const std::string size = fmt::format("the largest is {:.4g}", largest);
   if (largest > 2 * kPi) return {"deg", 1.0, size};
@@ -143,7 +144,7 @@ std::vector<std::string> WordsOfName(std::string_view name) {
   const std::string_view bare = name.substr(0, name.find_first_of("[("));
   for (std::size_t k = 0; k < bare.size(); ++k) {
     const auto c = static_cast<unsigned char>(bare[k]);
-    // Bytes of non-ASCII letters have the highest bit.
+    // Bytes of non-ASCII letters have the highest bit set.
     const bool is_letter = std::isalpha(c) != 0 || c >= 0x80;
     const bool is_hump = is_letter && k > 0 && std::isupper(c) != 0 &&
                          std::islower(static_cast<unsigned char>(bare[k - 1])) != 0;
@@ -160,7 +161,7 @@ std::string StemOfName(std::string_view name) {
     const auto byte = static_cast<unsigned char>(c);
     if (std::isalnum(byte) != 0 || byte >= 0x80) stem += static_cast<char>(std::tolower(byte));
   }
-  // A single letter is a unit only as a separate word: "alt_m", not "heading".
+  // A single letter is a unit only if it is separated, as in "alt_m" but not in "heading".
   const std::string_view bare = name.substr(0, name.find_first_of("[("));
   for (const std::string_view text : UnitTextsOf(bare)) {
     const bool is_plain = text.size() > 1 || text == "m" || text == "g";
@@ -213,12 +214,12 @@ std::string JointOfAngle(const NumbersOfColumn& column) {
   std::erase_if(words, [&](const std::string& word) {
     return std::find(kOfAngles.begin(), kOfAngles.end(), word) != kOfAngles.end();
   });
-  // "boomangle" is one word.
+  // Splits compounds such as "boomangle".
   std::string word = words.size() == 1 ? words.front() : "";
   for (const std::string_view ending : {"angle", "position", "pos"}) {
     if (word.ends_with(ending)) word.resize(word.size() - ending.size());
   }
-  // With another unit it is a stroke, a pressure or a voltage.
+  // A column with another unit is a stroke, a pressure or a voltage.
   const bool is_unit_of_angle = ToldUnit(column, Dimension::kAngle).has_value();
   const bool has_other_unit = !column.unit.empty() && column.unit != "-" && column.unit != "1";
   const bool is_other = !is_unit_of_angle && (has_other_unit || GuessAnyUnit(column).unit != "1");
@@ -241,7 +242,7 @@ std::string JointOfRate(const NumbersOfColumn& column) {
   std::string joint;
   bool is_rate = false;
   for (const std::string& word : WordsOfName(column.name)) {
-    // A speed may belong to a cylinder or a track, or be a share of the fastest.
+    // A speed without a unit may belong to a cylinder or track, or be a fraction of the maximum.
     if (word == "speed" && !told) return "";
     const auto is_in = [&](const auto& words) {
       return std::find(words.begin(), words.end(), word) != words.end();

@@ -12,77 +12,77 @@
 
 namespace tera {
 
-/// Numbers of a column, for guesses.
+/// Content of a column, as the guesses need it.
 struct NumbersOfColumn {
   std::string name;
-  std::vector<double> values;  ///< values in fields with a number
-  std::string unit;            ///< as written in the table next to the name; empty: none
-  std::size_t missing = 0;     ///< empty fields
-  std::size_t words = 0;       ///< non-empty fields without a number
-  std::size_t gaps = 0;        ///< digest of the rows without a number; 0: none
+  std::vector<double> values;  ///< values of the fields that hold a number
+  std::string unit;            ///< unit written next to the name; empty if none
+  std::size_t missing = 0;     ///< number of empty fields
+  std::size_t words = 0;       ///< number of non-empty fields that are not numbers
+  std::size_t gaps = 0;        ///< hash of the set of rows without a number; 0 if there are none
   double LargestSize() const;
   double Least() const;
   double MedianStep() const;
 };
 
-/// Placeholder unit, which the import refuses.
+/// Placeholder unit that the import refuses.
 inline constexpr const char* kUnknownUnit = "unknown";
 
-/// A unit of the mapping, with the reason if it is uncertain.
+/// A guessed unit, with the reason if it is uncertain.
 struct UnitGuess {
   std::string unit;
   double scale = 1.0;
-  std::string doubt;  ///< empty: certain; for a placeholder unit, the observation
+  std::string doubt;  ///< empty if certain; for the placeholder unit, what was observed
 
   bool is_known() const { return unit != kUnknownUnit; }
 };
 
-/// The unit of a column of any dimension, from its line of units, the brackets or the ending of its
-/// name. Otherwise '1', with the known facts as the doubt.
+/// Unit of any dimension, from the line of units, from brackets, or from the ending of the name.
+/// Otherwise '1', with a remark on what is known.
 UnitGuess GuessAnyUnit(const NumbersOfColumn& column);
-/// The unit from a column's line of units or its name; nothing without either.
+/// Unit from the line of units or the name; nullopt if neither gives one.
 std::optional<UnitGuess> ToldUnit(const NumbersOfColumn& column, Dimension dimension);
-/// m/s2 or g, from the length of the median vector, which is gravity for a machine; else unknown.
+/// m/s2 or g, by the length of the median vector, which is gravity on a machine; otherwise unknown.
 UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes);
-/// rad or deg of the joint angles of one logger: deg if one exceeds a turn in rad. A single joint
-/// below that is unknown.
+/// rad or deg for the joint angles of one logger. An angle above one turn in rad means deg. A
+/// single joint below that is unknown.
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles);
-/// Whether a name means raw counts of a sensor: raw, counts, adc, ticks.
+/// True if a name suggests raw counts of a sensor: raw, counts, adc, ticks.
 bool NamesCounts(std::string_view name);
 
-/// Larger times in s count from an epoch.
+/// Times above this number of seconds count from an epoch.
 inline constexpr double kLeastEpoch_s = 1e8;
 
-/// The `origin:` of a mapping with the rows' own height, above the ellipsoid or the sea. `which`
-/// names the row.
+/// The key `origin` of a mapping. The height is that of the row, above the ellipsoid or the sea.
+/// `which` describes the row in a remark.
 std::string OriginYaml(double lat_deg, double lon_deg, double height_m, std::string_view which);
 
-/// The `valid_if:` of a channel, with its reasons.
+/// Collects the items of a channel's `valid_if`, with reasons.
 class RuleGuesses {
  public:
   void Add(const std::string& rule, const std::string& reason);
-  /// "valid_if: [...]   # guessed: ..." with `indent`, or nothing without a rule.
+  /// Line "valid_if: [...]   # guessed: ..." with `indent`; empty without rules.
   std::string Yaml(std::string_view indent = "    ") const;
 
  private:
   std::string rules_, reasons_;
 };
 
-/// Steps between the times of consecutive rows.
+/// Counts irregular steps between the times of consecutive rows.
 struct TimeSteps {
   std::int64_t rows = 0, repeated = 0, back = 0;
 
   void Add(TimeNs t_ns);
-  /// Whether the times are useless: all equal, or at least half of them repeat the previous one.
+  /// True if the times are useless: at least half of them repeat the previous one.
   bool IsStuck() const { return rows > 1 && 2 * repeated >= rows - 1; }
 
  private:
   TimeNs last_ns_ = 0;
 };
-/// Leaves out rows that repeat a time.
+/// Adds a rule that excludes rows which repeat a time.
 void AddStepRule(const TimeSteps& steps, const std::string& column, RuleGuesses* rules);
 
-/// Unique names of channels.
+/// Gives channels unique names.
 class TakenNames {
  public:
   std::string Take(std::string_view wanted);
@@ -91,25 +91,23 @@ class TakenNames {
   std::set<std::string> names_;
 };
 
-/// "{column: gx, unit: deg/s}"
+/// Text such as "{column: gx, unit: deg/s}".
 std::string ColumnYaml(std::string_view column, const UnitGuess& unit);
-/// A trailing remark for a doubt, else nothing.
+/// Remark on an uncertain unit, for the end of a line; empty if certain.
 std::string DoubtRemark(const UnitGuess& unit);
-/// A YAML scalar, quoted if necessary.
 std::string YamlWord(std::string_view text);
-/// Lower-case words of a name, split at non-letters and before capitals: {"boom", "speed", "cmd"}
-/// for "boomSpeed_cmd2". Text in brackets is left out.
+/// Words of a name in lower case, split at non-letters and before capitals: {"boom", "speed",
+/// "cmd"} for "boomSpeed_cmd2". Text in brackets is ignored.
 std::vector<std::string> WordsOfName(std::string_view name);
-/// A name without case, unit, and characters other than letters and digits: "gyrox" for "Gyro X
-/// [deg/s]".
+/// A name in lower case, without unit, with only letters and digits: "gyrox" for "Gyro X [deg/s]".
 std::string StemOfName(std::string_view name);
-/// The joint that a word means in English, German or French; empty: none.
+/// The joint that an English, German or French word denotes; empty if none.
 std::string JointOfWord(std::string_view word);
-/// The joint whose angle a column holds, by its name and unit; empty: none.
+/// The joint whose angle the column holds, by name and unit; empty if none.
 std::string JointOfAngle(const NumbersOfColumn& column);
-/// The joint whose rate a column holds (boom_rate, arm_velocity [deg/s]); empty: none.
+/// The joint whose rate the column holds, such as boom_rate or arm_velocity [deg/s]; empty if none.
 std::string JointOfRate(const NumbersOfColumn& column);
-/// A name for a channel or a column: letters, digits and '_'.
+/// A valid name for a channel or column: letters, digits and '_'.
 std::string PlainNameOf(std::string_view text);
 
 }  // namespace tera

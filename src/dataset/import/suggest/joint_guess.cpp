@@ -31,7 +31,7 @@ JointGuesses GuessJoints(const std::vector<const NumbersOfColumn*>& columns,
       guesses.columns.push_back(column);
       if (found != rate_of.end() && found->second->gaps == column->gaps) {
         guesses.columns.push_back(found->second);
-        // The rate is compared with the angle in its guessed unit.
+        // The rate is compared with the angle in the angle's guessed unit.
         NumbersOfColumn witness = *column;
         if (angle.unit.is_known() && angle.unit.scale == 1) witness.unit = angle.unit.unit;
         rate = {found->second->name, GuessRateUnit({found->second}, {t_ns, {}, {&witness}})};

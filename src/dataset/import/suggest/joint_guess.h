@@ -9,15 +9,15 @@
 
 namespace tera {
 
-/// Joints found in a table's columns.
 struct JointGuesses {
-  /// The column of each joint's angle, or of its rate without an angle, and its line.
+  /// The column of each joint's angle, or else of its rate, with the joint's line for the mapping.
   std::vector<std::pair<const NumbersOfColumn*, std::string>> joints;
-  std::vector<const NumbersOfColumn*> columns;  ///< all columns in the lines
+  std::vector<const NumbersOfColumn*> columns;  ///< every column that these lines mention
 };
 
-/// Angles by JointOfAngle, each with its rate by JointOfRate if both have numbers in the same rows,
-/// and rates alone. `t_ns` are the times of the rows; empty if unknown.
+/// Finds angles with JointOfAngle and rates with JointOfRate. An angle and a rate of a joint are
+/// combined if they have numbers in the same rows. A rate may be alone. `t_ns` are the row times;
+/// empty if unknown.
 JointGuesses GuessJoints(const std::vector<const NumbersOfColumn*>& columns,
                          const std::vector<TimeNs>& t_ns);
 

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 15> kValueNames = {
     "reading", "raw", "counts", "count",    "adc", "rawvalue", "rohwert"};
 constexpr std::array<std::string_view, 4> kUnitNames = {"unit", "units", "einheit", "unité"};
 
-/// Unit of a signal whose rows differ in unit.
+/// Unit of a signal whose rows have different units.
 constexpr std::string_view kChangingUnit = "-?-";
 
 template <std::size_t n>

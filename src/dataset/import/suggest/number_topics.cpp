@@ -12,7 +12,7 @@
 #include "dataset/import/suggest/rate_guess.h"
 #include "dataset/ros/delta_can.h"
 
-// Topics of one number each, and TERA's own messages.
+// Suggests channels for topics of single numbers and for TERA's own messages.
 
 namespace tera {
 namespace {
@@ -24,7 +24,8 @@ bool HasOneOf(const std::vector<std::string>& words, const std::array<std::strin
   });
 }
 
-/// The joint or lever that words name, "left_track" for "left" and "travel"; empty: none.
+/// The joint or lever that the words denote, such as "left_track" for "left" and "travel"; empty if
+/// none.
 std::string JointOf(const std::vector<std::string>& words) {
   const auto has = [&](std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -106,7 +107,7 @@ std::string BagChannels::AddNumber(const SeenTopic& seen, TakenNames* names) {
     return "";
   }
   AngleGuess angle = role == Role::kRate ? AngleGuess{} : GuessAngle(numbers);
-  // ROS's unit is rad.
+  // ROS messages use rad.
   if (!angle.unit.is_known()) angle.unit.unit = "rad";
   if (role == Role::kUnknown) {
     angle.unit.doubt +=
@@ -121,7 +122,7 @@ std::string BagChannels::AddNumber(const SeenTopic& seen, TakenNames* names) {
 }
 
 std::string BagChannels::CommandsYaml(bool trusts_far, TimeNs* first_ns) const {
-  constexpr double kMostOfFull = 1.5;  // a larger value excludes the range -1 to 1
+  constexpr double kMostOfFull = 1.5;  // a larger value is not on the scale -1 to 1
   std::string yaml;
   for (const Lever& lever : levers_) {
     RuleGuesses rules = lever.rules;

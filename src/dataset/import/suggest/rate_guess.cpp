@@ -28,7 +28,7 @@ bool IsNear(double ratio, double expected, double factor) {
   return ratio > expected / factor && ratio < expected * factor;
 }
 
-/// The unit of rates from the ratio between their integral as rad/s and the actual turn.
+/// Unit of rates, from the ratio of their integral (as rad/s) to the rotation observed otherwise.
 std::optional<UnitGuess> UnitOfRatio(double deg_ratio, double rad_ratio, double factor,
                                      const char* what) {
   const auto guess = [&](const char* unit, double ratio) {
@@ -57,7 +57,7 @@ std::optional<UnitGuess> ByGravity(const AxisColumns& rates, const TurnWitness& 
   return UnitOfRatio(ratios.seen, ratios.sure, kFactor, "gravity does");
 }
 
-/// The unwrapped angle in rad; nothing for an uncertain unit.
+/// The unwrapped angle in rad; nullopt if its unit is uncertain.
 std::optional<std::vector<double>> SureAngle_rad(const NumbersOfColumn& angle) {
   const AngleGuess guess = GuessAngle(angle);
   constexpr double kBeyondAnyTurn = 8 * kPi;
@@ -72,14 +72,14 @@ std::optional<std::vector<double>> SureAngle_rad(const NumbersOfColumn& angle) {
   return turned_rad;
 }
 
-/// Ratio between a rate's integral and the angle's change over spans of rows; 0 if they do not
+/// Ratio of the rate's integral to the angle's change over spans of rows; 0 if they do not
 /// correlate.
 double RatioToAngle(const std::vector<TimeNs>& t_ns, const NumbersOfColumn& rate,
                     const std::vector<double>& angle_rad) {
   constexpr std::size_t kFewestSpans = 8;
   const double length_s = ToSeconds(t_ns.back() - t_ns.front());
   const double rows_of_second = length_s > 0 ? static_cast<double>(t_ns.size()) / length_s : 0;
-  // About a second, with several spans in total.
+  // A span lasts about a second; a recording has at least four.
   const auto span = static_cast<std::size_t>(
       std::clamp(rows_of_second, 1.0, std::max(1.0, static_cast<double>(t_ns.size()) / 4)));
   constexpr double kLeastCorrelation = 0.8, kLeastTurn_rad = 2 * kDeg;

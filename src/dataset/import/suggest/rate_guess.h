@@ -7,21 +7,23 @@
 
 namespace tera {
 
-/// Columns that show the turn besides the rates. They count only if all have a number at each time.
+/// Columns that show rotation independently of the rates. A group counts only if all of its columns
+/// have a number in every row.
 struct TurnWitness {
   std::vector<TimeNs> t_ns;
-  /// The specific force along the axes of the rates, in any unit; empty: none.
+  /// Specific force along the axes of the rates, in any unit; may be empty.
   std::vector<const NumbersOfColumn*> forces = {};
-  /// The angles of the rates, in their order; null: none.
+  /// Angles whose derivatives are the rates, in the same order; null where absent.
   std::vector<const NumbersOfColumn*> angles = {};
 };
 
-/// rad/s or deg/s, or unknown with the observation. The first evidence that decides counts, in this
-/// order: a column's unit or name; rates that are all zero, taken as rad/s; the turn of gravity;
-/// the turn of an angle; magnitudes.
+/// Guesses rad/s or deg/s; if unknown, the result states what was observed. Evidence is used in
+/// this order: unit or name of a column; rates that are all zero (taken as rad/s); rotation of the
+/// gravity vector; change of the angle; magnitude.
 ///
-/// Model   magnitudes: rates with a tenth above 20 are deg/s, unless the unit of the specific force
-///         is unknown too, as in a table of counts. With a tenth above 1146 they are neither.
+/// Model   By magnitude, rates are deg/s if a tenth of them exceeds 20. They are neither unit if a
+///         tenth exceeds 1146. Magnitude is not used if the unit of the specific force is unknown
+///         too, as in a table of raw counts.
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates,
                         const TurnWitness& witness = {});
 

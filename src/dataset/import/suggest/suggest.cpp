@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// Point text files look like tables of numbers; only the name identifies them.
+/// A text file of points looks like a table of numbers. Only its name reveals it.
 void RefusePoints(const std::filesystem::path& log) {
   const std::string ending = LowerCase(log.extension().string());
   if (ending != ".xyz" && ending != ".pts" && ending != ".neu") return;

@@ -7,27 +7,27 @@
 
 namespace tera {
 
-/// A first mapping (YAML) of a log for `tera import`. A bag is analysed by its topics' types, logs
-/// of known form and folders by theirs, a text table by its columns' names and numbers. A guess has
-/// a remark "guessed:" with its reason; unknown items are remarks only. `overrides` are
-/// key.path=value texts in --set's syntax for the syntax of a text table (`csv.skip_lines=3`);
-/// others are a fault. Throws InputError if the log cannot be read.
+/// Suggests a mapping (YAML) for a log, as input of `tera import`. A bag is analysed by topic
+/// types, a known log or folder by its format, and a text table by column names and numbers. Each
+/// guess has a remark "guessed:" with its reason. Unknown items appear only as remarks. `overrides`
+/// are texts key.path=value that define the syntax of a text table (`csv.skip_lines=3`); any other
+/// key is a fault. Throws InputError if the log cannot be read.
 std::string SuggestMapping(const std::filesystem::path& log,
                            const std::vector<std::string>& overrides = {});
 
-// The mapping of each kind of log.
+// One function per kind of log.
 std::string SuggestForBag(const std::filesystem::path& log);
-/// The mapping of a capture of a network, by the ports that lidars send to.
+/// For a network capture, by the ports to which lidars send.
 std::string SuggestForCapture(const std::filesystem::path& log);
 std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides);
-/// The mapping of a PX4 log, by its topics.
+/// For a PX4 log, by its topics.
 std::string SuggestForUlog(const std::filesystem::path& log);
-/// The mapping of a log with a type in foreign_log.h.
+/// For a log with a type of foreign_log.h.
 std::string SuggestForLog(const std::filesystem::path& log);
-/// The mapping of a pose text file in the form of TUM, EuRoC or KITTI; nothing for others.
+/// For a text file of poses in TUM, EuRoC or KITTI format; nullopt for any other file.
 std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log);
-/// The mapping of a drive of KITTI's raw data, or of files NAME/data.csv in EuRoC's form.
+/// For a drive of KITTI's raw data, or a folder of NAME/data.csv files in EuRoC format.
 std::string SuggestForFolder(const std::filesystem::path& folder);
 
 }  // namespace tera

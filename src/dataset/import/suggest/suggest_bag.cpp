@@ -20,12 +20,12 @@
 #include "dataset/import/suggest/bag_channels.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Guesses about a bag of ROS messages.
+// Suggests a mapping for a bag of ROS messages.
 
 namespace tera {
 namespace {
 
-/// Counts messages.
+/// Counts the messages of each topic.
 class Census : public BagVisitor {
  public:
   Wish Wants(const BagTopic& topic) override {
@@ -45,7 +45,7 @@ class Census : public BagVisitor {
 
  private:
   std::vector<SeenTopic> topics_;
-  std::vector<std::size_t> numbers_;  ///< index in topics_, by Take's number
+  std::vector<std::size_t> numbers_;  ///< index in topics_ by the number passed to Take
 };
 
 std::string OneLine(std::string text) {
@@ -53,8 +53,8 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-/// Rank of a topic of poses as the machine's pose, the lowest the likeliest; nothing for parts,
-/// sensors and goals.
+/// Rank of a topic of poses as the pose of the machine. The lowest rank is the most likely. Returns
+/// nullopt for parts, sensors and goals.
 std::optional<int> RankOfPose(const SeenTopic& seen) {
   constexpr std::array<std::string_view, 5> kTypes = {
       "nav_msgs/Odometry", "geometry_msgs/PoseWithCovarianceStamped", "geometry_msgs/PoseStamped",
@@ -106,7 +106,7 @@ class BagGuess {
     return is_folder ? std::filesystem::absolute(log_).parent_path().filename() : log_.stem();
   }
 
-  /// The first word of the topics' names if they share one.
+  /// The first word of the topic names, if they all share it.
   std::string Machine() const {
     std::set<std::string> words;
     for (const SeenTopic& seen : census_.topics()) {
@@ -121,7 +121,7 @@ class BagGuess {
     return words.size() == 1 && !words.begin()->empty() ? PlainNameOf(*words.begin()) : "machine";
   }
 
-  /// The likeliest readable topic of the machine's pose.
+  /// Finds the most likely readable topic with the machine's pose.
   void FindPose() {
     std::vector<std::pair<int, const SeenTopic*>> candidates;
     for (const SeenTopic& seen : census_.topics()) {
@@ -149,7 +149,8 @@ class BagGuess {
                     seen.Rate(), why_not == "-" ? "" : "; " + OneLine(why_not));
   }
 
-  /// The reason why a topic gives no channel; "-" for no remark.
+  /// Adds a channel for a topic. Returns the reason if none is possible, and "-" if no remark is
+  /// needed.
   std::string Add(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
     if (HoldsPoints(type) || HoldsPackets(type)) return AddLidar(seen);
@@ -178,7 +179,8 @@ class BagGuess {
     return "-";
   }
 
-  /// An entry of `lidars`, with placeholders for data that the topic's type does not determine.
+  /// Adds an entry of `lidars`, with placeholders for facts that the topic's type does not
+  /// determine.
   std::string AddLidar(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
     std::string rest;
@@ -193,7 +195,7 @@ class BagGuess {
     return "";
   }
 
-  /// An entry of `cameras`, with the CameraInfo beside its topic.
+  /// Adds an entry of `cameras`, with the CameraInfo topic of the same namespace.
   std::string AddCamera(const SeenTopic& seen) {
     std::string why_not = FaultOfFirstPicture(log_, seen.topic, &unpacked_);
     if (!why_not.empty()) return why_not;
@@ -226,7 +228,7 @@ class BagGuess {
   const SeenTopic* pose_ = nullptr;
   TakenNames names_;
   std::string others_, lidars_, cameras_;
-  bool counts_from_epoch_ = false;  ///< times of lidars or cameras count from 1970
+  bool counts_from_epoch_ = false;  ///< the times of lidars or cameras count from 1970
 };
 
 }  // namespace

@@ -5,15 +5,15 @@
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Suggestions for a network capture.
+// Suggests a mapping for a network capture.
 
 namespace tera {
 namespace {
 
-constexpr std::int64_t kLookedAt = 5000;  ///< packets
+constexpr std::int64_t kLookedAt = 5000;  ///< number of packets examined
 constexpr int kOusterPort = 7502, kVelodynePort = 2368;
 
-/// Mapping name of the lidar that sends to kVelodynePort, from its first packet.
+/// Name of the lidar model for the mapping, from the first packet to kVelodynePort.
 std::string UnitOfPacket(std::string_view bytes) {
   constexpr std::size_t kVelodyneBytes = 1206, kLeastPandar = 1068, kMostPandar = 1072;
   if (bytes.size() == kVelodyneBytes && bytes.back() == 0x22) return "vlp16";
@@ -24,7 +24,7 @@ std::string UnitOfPacket(std::string_view bytes) {
 }
 
 std::string FirstUnit(const std::filesystem::path& log) {
-  /// Thrown to end the reading.
+  /// Thrown to stop the reading.
   struct Enough {};
   std::string unit = "unknown";
   try {

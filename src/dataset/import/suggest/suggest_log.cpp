@@ -14,7 +14,7 @@
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Guesses about logs of known form, and about folders.
+// Suggests mappings for logs of known format and for folders.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ std::string Top(const std::string& name) {
       PlainNameOf(name));
 }
 
-/// Whether a row has numbers in all of these columns.
+/// True if the row has a number in each of these columns.
 bool HasAllOf(const RowTable& table, std::size_t row, const std::vector<const char*>& columns) {
   return std::all_of(columns.begin(), columns.end(), [&](const char* column) {
     return table.NumberIfAny(row, table.Column(column)).has_value();
@@ -44,7 +44,7 @@ std::int64_t CountOf(const RowTable& table, const std::vector<const char*>& colu
 
 using IsValidRow = std::function<bool(std::size_t row)>;
 
-/// The origin at the first valid row with a position; nothing without one.
+/// The key `origin`, from the first valid row with a position; nullopt without one.
 std::optional<std::string> OriginOf(const RowTable& table,
                                     const std::vector<const char*>& lat_lon_height,
                                     const IsValidRow& is_valid) {
@@ -53,7 +53,7 @@ std::optional<std::string> OriginOf(const RowTable& table,
     const auto number = [&](int k) {
       return table.Number(row, table.Column(lat_lon_height[static_cast<std::size_t>(k)]));
     };
-    if (number(0) == 0 && number(1) == 0) continue;  // 0, 0 means no fix
+    if (number(0) == 0 && number(1) == 0) continue;  // a receiver without a fix writes 0, 0
     return OriginYaml(number(0), number(1), number(2), "the first row with a fix");
   }
   return std::nullopt;
@@ -84,7 +84,7 @@ std::string PosYaml(const fs::path& log, const RowTable& table) {
          "gnss:\n  - name: gnss\n" + rules.Yaml();
 }
 
-/// Rules that exclude rows without a fix, or with one that is no measurement.
+/// Rules that exclude rows without a fix, and rows whose fix is not a measurement.
 RuleGuesses RulesOfNmea(const RowTable& table, const char* height) {
   std::int64_t without_fix = 0, not_measured = 0, without_height = 0;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
@@ -164,19 +164,19 @@ std::string KittiYaml(const fs::path& timestamps, const RowTable& table) {
          "pose: {}   # of the unit, east, north and up of the first frame\n";
 }
 
-// --- Folders in the form of EuRoC's.
+// Folders in EuRoC format.
 
 struct EurocFile {
   fs::path file;
   std::string name;                  ///< name of its folder
-  std::vector<std::string> columns;  ///< in its first line after the '#'
+  std::vector<std::string> columns;  ///< from the first line, after '#'
 
   bool Has(const std::string& column) const {
     return std::find(columns.begin(), columns.end(), column) != columns.end();
   }
 };
 
-/// The names in a first line "#timestamp [ns],w_RS_S_x [rad s^-1]", with or without blanks.
+/// Column names of a first line like "#timestamp [ns],w_RS_S_x [rad s^-1]", with or without blanks.
 std::vector<std::string> EurocColumnsOf(const fs::path& file) {
   constexpr std::string_view kBlanks = " \t\r";
   std::string header;
@@ -191,8 +191,8 @@ std::vector<std::string> EurocColumnsOf(const fs::path& file) {
   return columns;
 }
 
-/// Files below a folder with this ending. Files near the folder come first, since the machine's
-/// files precede those of its parts.
+/// Files below a folder that have this ending. Files higher in the tree come first, because they
+/// belong to the machine and deeper ones to its parts.
 std::vector<fs::path> FilesBelow(const fs::path& folder, std::string_view ending) {
   constexpr int kDeepest = 5;
   std::vector<fs::path> files;
@@ -211,7 +211,7 @@ std::vector<fs::path> FilesBelow(const fs::path& folder, std::string_view ending
   return files;
 }
 
-/// All NAME/data.csv below a folder with a time as the first column.
+/// All NAME/data.csv below a folder whose first column is a time.
 std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
   std::vector<EurocFile> files;
   for (const fs::path& path : FilesBelow(folder, "data.csv")) {
@@ -223,7 +223,7 @@ std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
   return files;
 }
 
-/// The first trajectory in TUM's form below a folder; nothing without one.
+/// Mapping of the first TUM trajectory below a folder; empty without one.
 std::string TumFolderYaml(const fs::path& folder) {
   std::string yaml, others;
   for (const fs::path& file : FilesBelow(folder, ".tum")) {
@@ -234,7 +234,7 @@ std::string TumFolderYaml(const fs::path& folder) {
   return yaml.empty() ? "" : yaml + others;
 }
 
-using EurocColumns = std::vector<std::pair<const char*, const char*>>;  // key, column
+using EurocColumns = std::vector<std::pair<const char*, const char*>>;  // pairs of key and column
 
 std::string EurocColumnsYaml(const EurocColumns& columns, const std::string& unit) {
   std::string yaml;
@@ -253,7 +253,7 @@ std::string EurocTimeYaml(const EurocFile& file, std::string_view indent) {
   return fmt::format("{}time: {{column: \"{}\", unit: ns}}\n", indent, file.columns.front());
 }
 
-/// The ground truth's pose, or else that of another instrument.
+/// The pose of the ground truth, or else of another instrument.
 const EurocFile* EurocPoseOf(const std::vector<EurocFile>& files, const EurocColumns& columns) {
   const EurocFile* pose = nullptr;
   for (const EurocFile& file : files) {

@@ -24,7 +24,7 @@
 #include "dataset/import/suggest/table_layout.h"
 #include "dataset/import/suggest/time_guess.h"
 
-// Guesses about a text table.
+// Suggests a mapping for a text table.
 
 namespace tera {
 namespace {
@@ -53,7 +53,7 @@ class TableGuess {
   }
 
   std::string Yaml() {
-    // Each step takes columns, which later steps cannot use.
+    // Each step uses up columns, which are not available to later steps.
     std::string channels;
     if (long_) {
       channels = SignalsYaml(csv_, layout_, *long_);
@@ -75,7 +75,7 @@ class TableGuess {
   }
 
  private:
-  /// The columns' numbers and the time.
+  /// Reads the numbers of all columns and guesses the time.
   void Look() {
     std::vector<std::size_t> rows(csv_.row_count());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -97,7 +97,7 @@ class TableGuess {
     const std::vector<std::size_t> first = RowsOfSignal(csv_, *long_, long_->signals.front());
     time_ = GuessTime(csv_, first, NumbersOf(csv_, layout_, first), /*has_header=*/true);
   }
-  /// The first free column with one of these stems.
+  /// The first unused column whose name has one of these stems.
   const NumbersOfColumn* Find(const std::vector<std::string>& stems) const {
     for (const std::string& stem : stems) {
       for (const NumbersOfColumn& column : columns_) {
@@ -111,7 +111,8 @@ class TableGuess {
   bool IsLeft(const NumbersOfColumn& column) const {
     return !column.values.empty() && !taken_.contains(column.name);
   }
-  /// Columns "stem + ending" for all of the endings, of the first stem that has them all.
+  /// For the first possible stem, the columns stem + ending for every ending; empty if no stem has
+  /// all.
   ColumnList FindAll(const std::vector<std::string>& stems,
                      const std::vector<std::string>& endings) const {
     for (const std::string& stem : stems) {
@@ -138,7 +139,8 @@ class TableGuess {
     }
     return yaml;
   }
-  /// The channel's `valid_if`, if a row may repeat its time or lack one of the columns.
+  /// The key `valid_if` of a channel. Rules are needed if a row may repeat its time or lack a value
+  /// in one of the columns.
   std::string Rules(const ColumnList& columns, std::string_view indent = "    ",
                     const std::string& more = "") const {
     std::vector<std::string> rules;
@@ -154,7 +156,7 @@ class TableGuess {
     if (rules.empty()) return "";
     return fmt::format("{}valid_if: [{}]\n", indent, fmt::join(rules, ", "));
   }
-  /// Groups of columns with numbers in the same rows.
+  /// Groups of columns that have numbers in the same rows.
   static std::vector<ColumnList> ByGaps(const ColumnList& columns) {
     std::vector<ColumnList> groups;
     for (const NumbersOfColumn* column : columns) {
@@ -169,7 +171,7 @@ class TableGuess {
     }
     return groups;
   }
-  /// "others", then "others_2".
+  /// "others", then "others_2" and so on.
   static std::string NumberedName(const std::string& name, std::size_t number) {
     return number == 0 ? name : fmt::format("{}_{}", name, number + 1);
   }
@@ -240,7 +242,7 @@ class TableGuess {
            guess->columns;
   }
 
-  /// Coordinates of a map become a table.
+  /// Map coordinates become a table.
   std::string MapPosition() {
     const auto* east = Find({"easting", "eastings", "utmeasting", "utme", "rechtswert", "rechts",
                              "ostwert", "east", "e", "xutm", "utmx"});
@@ -292,7 +294,7 @@ class TableGuess {
     return yaml;
   }
 
-  /// A table of commands. Lines with equal names use their column's name.
+  /// A table of commands. Entries whose names are equal are named after their columns.
   std::string CommandTable(const std::string& name, std::vector<CommandLine> lines) {
     if (lines.empty()) return "";
     ColumnList all;
@@ -322,7 +324,7 @@ class TableGuess {
     return levers + CommandTable("setpoints", GuessSetpoints(Left()));
   }
 
-  /// The remaining columns become tables, in known units or the placeholder.
+  /// Remaining columns become tables, with known units or the placeholder.
   std::string Others() {
     std::string yaml;
     std::set<std::string> names;

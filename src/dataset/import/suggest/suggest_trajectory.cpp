@@ -13,15 +13,15 @@
 #include "dataset/import/suggest/suggest.h"
 #include "dataset/import/table_text.h"
 
-// Guesses about a pose text file without column names.
+// Suggests a mapping for a text file of poses without column names.
 
 namespace tera {
 namespace {
 
-/// The first lines of such a file.
+/// The first lines of a pose file.
 struct PoseLines {
-  std::string remark;  ///< the last line with a '#' before the first pose
-  std::string first;   ///< the first pose, as written
+  std::string remark;  ///< the last comment line before the first pose
+  std::string first;   ///< the first pose as written
   std::vector<std::vector<double>> rows;
 };
 
@@ -36,7 +36,7 @@ std::vector<double> NumbersOfLine(const std::string& line) {
   return numbers;
 }
 
-/// Returns nothing if a line has another count of numbers than the first.
+/// Returns nullopt if the lines have different numbers of fields.
 std::optional<PoseLines> PoseLinesOf(const std::filesystem::path& file) {
   constexpr std::size_t kMostLines = 1000;
   PoseLines lines;
@@ -46,7 +46,7 @@ std::optional<PoseLines> PoseLinesOf(const std::filesystem::path& file) {
     if (line.starts_with('#') && lines.rows.empty()) lines.remark = line;
     if (line.empty() || line.starts_with('#')) continue;
     const std::vector<double> row = NumbersOfLine(line);
-    const bool is_last = stream.eof();  // may be truncated
+    const bool is_last = stream.eof();  // the last line may be truncated
     if (row.empty() || (!lines.rows.empty() && row.size() != lines.rows.front().size())) {
       if (is_last) break;
       return std::nullopt;
@@ -83,8 +83,8 @@ std::string TrajectoryTop(const std::filesystem::path& log) {
       PlainNameOf(log.stem().string()), YamlWord(log.string()));
 }
 
-/// The line `form`: from the order in a remark, else from the notation of the two forms; otherwise
-/// a placeholder that the import refuses.
+/// The key `form`. The order in a comment decides, or else the notation of the two formats;
+/// otherwise a placeholder that the import refuses.
 std::string FormYaml(const PoseLines& lines, bool in_nanoseconds) {
   const auto place_of = [&](const char* tum, const char* euroc) {
     return std::min(lines.remark.find(tum), lines.remark.find(euroc));
@@ -99,7 +99,7 @@ std::string FormYaml(const PoseLines& lines, bool in_nanoseconds) {
   return "form: tum_or_euroc   # fill in: tum (s, qx qy qz qw) or euroc (ns, qw qx qy qz)\n";
 }
 
-/// KITTI's times for a pose file: times.txt next to it, or of its sequence.
+/// The KITTI times file of a pose file: times.txt next to it or in its sequence.
 std::filesystem::path TimesBeside(const std::filesystem::path& log) {
   const std::filesystem::path folder = log.parent_path();
   std::error_code ignored;
@@ -117,7 +117,7 @@ std::string KittiPosesYaml(const PoseLines& lines, const std::filesystem::path& 
                             [&](const auto& a, const auto& b) { return a[column] < b[column]; });
     return (*high)[column] - (*low)[column];
   };
-  // A camera's y points down, and machines move on the ground.
+  // Machines move on the ground, so the axis with little motion is vertical: y for a camera.
   constexpr double kFlat = 0.2;
   const double x_m = span_m(3), y_m = span_m(7), z_m = span_m(11);
   const bool is_camera = y_m < kFlat * std::max(x_m, z_m) && y_m < z_m;
@@ -146,7 +146,7 @@ std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log
   for (std::size_t k = 1; k < lines->rows.size(); ++k) {
     if (lines->rows[k][0] <= lines->rows[k - 1][0]) return std::nullopt;
   }
-  constexpr double kLeast_ns = 1e12;  // too large for seconds of any clock
+  constexpr double kLeast_ns = 1e12;  // larger than seconds of any clock
   const bool in_nanoseconds = lines->rows.front()[0] > kLeast_ns;
   const double first_s = lines->rows.front()[0] * (in_nanoseconds ? 1e-9 : 1);
   return TrajectoryTop(log) + (first_s > kLeastEpoch_s ? "zero: start\n" : "") + "pose:\n  " +

@@ -9,12 +9,12 @@
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Guesses about a PX4 log.
+// Suggests a mapping for a PX4 log.
 
 namespace tera {
 namespace {
 
-using Columns = std::vector<std::pair<const char*, const char*>>;  // key, field
+using Columns = std::vector<std::pair<const char*, const char*>>;  // pairs of key and field
 
 bool HasField(const UlogTopic& topic, const char* field) {
   return std::find(topic.fields.begin(), topic.fields.end(), field) != topic.fields.end();
@@ -33,7 +33,8 @@ std::string UlogColumnsYaml(const Columns& columns, const std::string& unit) {
   return yaml;
 }
 
-/// "sensor_combined", for the topic "sensor_combined" or "sensor_combined[1]".
+/// True if the topic is `format`, with or without an instance: "sensor_combined" or
+/// "sensor_combined[1]".
 bool IsOf(const UlogTopic& topic, const std::string& format) {
   return topic.name == format || topic.name.starts_with(format + "[");
 }
@@ -43,16 +44,16 @@ std::string HeadYaml(const UlogTopic& topic) {
                      YamlWord(topic.name));
 }
 
-/// Names of a receiver's position in versions of PX4.
+/// Field names of a position, which differ between PX4 versions.
 struct GpsFields {
   const char *lat, *lon, *height;  ///< above the ellipsoid
-  double deg, m;                   ///< per unit of the fields
+  double deg, m;                   ///< factors to deg and m
   const char *angle_unit, *height_unit;
 };
 constexpr std::array<GpsFields, 2> kGpsFields = {
     {{"latitude_deg", "longitude_deg", "altitude_ellipsoid_m", 1, 1, "unit: deg", "unit: m"},
      {"lat", "lon", "alt_ellipsoid", 1e-7, 1e-3, "unit: deg, scale: 1e-7", "unit: mm"}}};
-constexpr const char* kFixTypeField = "fix_type";  ///< 3 and more: in three dimensions
+constexpr const char* kFixTypeField = "fix_type";  ///< values of 3 and more are 3D fixes
 
 const GpsFields* GpsFieldsOf(const UlogTopic& topic) {
   for (const GpsFields& f : kGpsFields) {
@@ -61,7 +62,7 @@ const GpsFields* GpsFieldsOf(const UlogTopic& topic) {
   return nullptr;
 }
 
-/// The origin at the first row with a fix; nothing without one.
+/// The key `origin`, from the first row with a fix; empty without one.
 std::string OriginOfGps(const std::filesystem::path& log, const UlogTopic& topic,
                         const GpsFields& f, bool has_fix_type) {
   std::vector<std::string> paths = {f.lat, f.lon, f.height};

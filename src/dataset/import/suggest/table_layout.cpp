@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHeadLines = 400;
 
-/// The kind of content of a field.
+/// Kind of content of a field.
 enum class FieldKind { kNothing, kNumber, kCalendar, kText };
 
 FieldKind KindOfField(std::string_view field, const NumberForm& numbers) {
@@ -32,17 +32,17 @@ bool IsValue(FieldKind kind) { return kind == FieldKind::kNumber || kind == Fiel
 
 /// A non-empty line, split by one separator.
 struct SplitLine {
-  int number = 0;  ///< in its file
+  int number = 0;  ///< line number in the file
   bool is_remark = false;
-  std::vector<std::string_view> fields;  ///< without empty ones at the end
-  std::size_t field_count = 0;           ///< with these
+  std::vector<std::string_view> fields;  ///< without empty fields at the end
+  std::size_t field_count = 0;           ///< including empty fields at the end
   std::vector<FieldKind> kinds;
 };
 
 struct HeadLine {
   int number = 0;
   bool is_remark = false;
-  std::string_view text;  ///< without the sign of a remark
+  std::string_view text;  ///< without the comment sign
 };
 
 std::vector<HeadLine> HeadOf(std::string_view text, int skipped) {
@@ -70,7 +70,7 @@ bool IsUnitWord(std::string_view field) {
   return std::find(kOthers.begin(), kOthers.end(), bare) != kOthers.end();
 }
 
-/// Whether fields are units, at least some of them known.
+/// True if all fields may be units and some are known units.
 bool AreUnits(const std::vector<std::string_view>& fields) {
   std::size_t named = 0, known = 0;
   for (const std::string_view field : fields) {
@@ -81,7 +81,7 @@ bool AreUnits(const std::vector<std::string_view>& fields) {
   return named > 0 && 2 * known >= named;
 }
 
-/// No field is a value, except the unit 1 among others.
+/// True if no field is a value. A unit "1" among words is allowed.
 bool HasWordsOnly(const SplitLine& line) {
   for (std::size_t k = 0; k < line.fields.size(); ++k) {
     if (IsValue(line.kinds[k]) && (line.fields[k] != "1" || !AreUnits(line.fields))) return false;
@@ -89,12 +89,12 @@ bool HasWordsOnly(const SplitLine& line) {
   return true;
 }
 
-/// One interpretation of the head, and its block of rows.
+/// One way to read the head of a table: separator, notation, and block of rows.
 struct Reading {
   char separator = ',';
   NumberForm numbers;
   std::vector<SplitLine> lines;
-  std::size_t first = 0, end = 0;  ///< lines of the block
+  std::size_t first = 0, end = 0;  ///< first line and end of the block
   double worth = 0;
 
   Reading(const std::vector<HeadLine>& head, char by, const NumberForm& as)
@@ -109,7 +109,7 @@ struct Reading {
     FindBlock();
   }
 
-  /// The rows' number of fields, with and without those that are empty in all of them.
+  /// Number of fields per row, with and without the last fields that are empty in every row.
   std::size_t most_fields() const { return FieldsOf(/*with_empty_end=*/true); }
   std::size_t least_fields() const { return FieldsOf(/*with_empty_end=*/false); }
 
@@ -131,7 +131,7 @@ struct Reading {
     return !line.is_remark && std::any_of(line.kinds.begin(), line.kinds.end(), IsValue);
   }
 
-  /// The number of columns in which two lines have the same kind of content.
+  /// Number of columns in which two lines have the same kind of content.
   static std::size_t Agreeing(const SplitLine& a, const SplitLine& b) {
     std::size_t agreeing = 0;
     for (std::size_t k = 0; k < std::max(a.kinds.size(), b.kinds.size()); ++k) {
@@ -165,7 +165,7 @@ struct Reading {
     PreferRowsBelowNames(blocks);
   }
 
-  /// A first row with a word in place of a number is also a row.
+  /// Extends the block upwards by rows that hold a word instead of a number.
   void TakeRowsWithWords() {
     while (first > 0 && end > first && HasValue(lines[first - 1])) {
       const SplitLine &above = lines[first - 1], &row = lines[first];
@@ -178,7 +178,7 @@ struct Reading {
     }
   }
 
-  /// Whether the line directly above has as many words as the row has fields.
+  /// True if the line directly above the row has as many words as the row has fields.
   bool HasNames(std::size_t row) const {
     for (std::size_t k = row; k-- > 0;) {
       const std::size_t fields = lines[k].fields.size();
@@ -189,8 +189,9 @@ struct Reading {
     return false;
   }
 
-  /// A row of another width splits a table into blocks. If the largest block has no names of its
-  /// own, the first block with names, or one of its form at the top of the file, is used.
+  /// A row with another number of fields splits a table into blocks. If the largest block has no
+  /// names above it, uses instead the first block with names, or a block of its form at the top of
+  /// the file.
   void PreferRowsBelowNames(const std::vector<Block>& blocks) {
     if (end == first || HasNames(first)) return;
     constexpr std::size_t kFewRows = 3;
@@ -206,7 +207,7 @@ struct Reading {
     }
   }
 
-  /// Texts among values indicate a wrong separator.
+  /// Texts among values are a sign of a wrong separator and lower the score.
   void Weigh(std::size_t begin, std::size_t block_end) {
     double sum = 0;
     for (std::size_t k = begin; k < block_end; ++k) {
@@ -241,7 +242,7 @@ std::optional<Reading> BestReading(const std::vector<HeadLine>& head, const Give
   return best;
 }
 
-/// Lines of words before the block in order: names, and units after them.
+/// Lines of words above the block, in order: names, possibly followed by units.
 std::vector<std::size_t> HeaderLines(const Reading& reading) {
   std::vector<std::size_t> lines;
   constexpr std::size_t kMost = 4;
@@ -296,7 +297,7 @@ std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenFor
   form.separator = reading->separator;
   form.numbers = reading->numbers;
   std::vector<std::size_t> header = HeaderLines(*reading);
-  // The names are the last line other than units.
+  // The names are in the last line that holds no units.
   std::size_t names = header.empty() ? 0 : header.size() - 1;
   while (names > 0 && AreUnits(reading->lines[header[names]].fields)) --names;
   header.erase(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(names));
@@ -339,7 +340,7 @@ std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& la
       ++(csv.IsPresent(row, c) ? numbers.words : numbers.missing);
       numbers.gaps = numbers.gaps * kDigestFactor + row + 1;
     }
-    // A few numbers among more words count as words.
+    // If most fields are words, the few numbers are treated as words too.
     if (numbers.words > numbers.values.size()) numbers.values.clear();
     columns.push_back(std::move(numbers));
   }

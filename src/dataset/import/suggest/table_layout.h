@@ -11,31 +11,29 @@
 
 namespace tera {
 
-/// The part of a table's syntax in the keys `csv:`.
+/// The part of a table's syntax that the user gives by `csv:` keys.
 struct GivenForm {
   CsvForm form;
-  std::set<std::string> keys;  ///< the given keys
+  std::set<std::string> keys;  ///< keys that are given
 };
 
-/// From key.path=value texts of `csv:`; others are a fault.
+/// Reads texts `csv.key=value`. Any other key is a fault.
 GivenForm GivenFormOf(const std::vector<std::string>& overrides);
 
-/// Syntax of a foreign table.
 struct TableLayout {
   CsvForm form;
-  /// The texts in the line of units after the names, by column; empty without such a line.
+  /// Texts in the line of units that follows the names, by column; empty without such a line.
   std::vector<std::string> units;
-  char found_separator = ',';  ///< CsvFile's own choice
+  char found_separator = ',';  ///< separator that CsvFile would choose
 
-  /// "csv: {...}\n" with the keys that CsvFile does not find itself, or nothing.
+  /// Line "csv: {...}\n" with the keys that CsvFile cannot find by itself; empty if there are none.
   std::string Yaml() const;
 };
 
-/// Finds the largest uniform block of rows among the first lines, and the names before it. Keys in
-/// `given` are not searched. Nothing without such a block.
+/// Finds the largest block of uniform rows in the first lines, and the line of names above it. Keys
+/// in `given` are not searched. Returns nullopt if there is no such block.
 std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given);
 
-/// Numbers of all columns in these rows.
 std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& layout,
                                        const std::vector<std::size_t>& rows);
 

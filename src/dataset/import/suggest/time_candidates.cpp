@@ -15,7 +15,7 @@ bool IsAmong(const std::string& word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Words of counters and of times other than the row's.
+/// True for words of counters, and of times that are not the time of the row.
 bool NamesNoTime(const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return IsAmong(word, {"count",     "counter",  "index",   "idx",      "seq",       "sequence",
@@ -25,14 +25,14 @@ bool NamesNoTime(const std::vector<std::string>& words) {
   });
 }
 
-// --- Numbers.
+// Numbers.
 
-/// A count of seconds from an epoch other than 1970, identified by magnitude.
+/// A count from an epoch other than 1970, recognised by its magnitude.
 struct Epoch {
-  double least, most;  ///< years 2000 to 2100, in its unit
+  double least, most;  ///< values of the years 2000 and 2100, in its unit
   const char* unit;
   double scale;
-  const char* offset;  ///< s
+  const char* offset;  ///< in s
   const char* remark;
 };
 
@@ -49,17 +49,19 @@ constexpr Epoch kEpochs[] = {
      "units of 100 ns since the year 1, as .NET has them"},
 };
 
-/// A log's rows are not hours apart, unlike those of a counter of an epoch's magnitude.
+/// Rows of a log are less than an hour apart. A counter that happens to have the magnitude of an
+/// epoch may take larger steps.
 bool StepsAsALog(const NumbersOfColumn& column, const Epoch& epoch) {
   constexpr double kLongest_s = 3600;
   return std::abs(column.MedianStep()) * epoch.scale * FindUnit(epoch.unit)->factor <= kLongest_s;
 }
 
-/// By magnitude. Days also need a date or time name, since such numbers are common.
+/// The epoch by magnitude. Numbers of the magnitude of days are common, so days also need a name
+/// that suggests a date or time.
 const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   if (column.values.empty()) return nullptr;
   const double first = column.values.front(), last = column.values.back();
-  // .NET's ticks have the magnitude of ns in 1990, earlier than any log's epoch.
+  // .NET ticks have the magnitude of ns since 1970 in the year 1990. No log is that old.
   for (const Epoch& epoch : kEpochs) {
     const bool is_days = std::string_view(epoch.unit) == "day";
     const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
@@ -73,8 +75,9 @@ const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   return nullptr;
 }
 
-/// Whether the name says GPS and the magnitude is that of a time before July 2027 since 1980, equal
-/// to one before July 2017 since 1970. GPS time is ahead of UTC by 18 s from 2017 on.
+/// True if the name says GPS and the number could be seconds since 1980. Up to July 2027, such
+/// numbers look like dates up to July 2017 that count from 1970. GPS time is 18 s ahead of UTC
+/// since 2017.
 bool MayCountFrom1980(const NumbersOfColumn& column, const Epoch& epoch) {
   constexpr double kMost_s = 1.5e9;
   const std::vector<std::string> words = WordsOfName(column.name);
@@ -107,7 +110,7 @@ TimeCandidate OfEpoch(const NumbersOfColumn& column, const Epoch& epoch) {
   return candidate;
 }
 
-/// Whether all numbers can be times of day in receivers' digits, 224610.12.
+/// True if all numbers can be times of day in the notation of receivers: 224610.12.
 bool AreClockDigits(const NumbersOfColumn& column) {
   constexpr double kLeast = 10000, kMost = 240000, kPair = 100, kSixty = 60;
   return column.LargestSize() >= kLeast &&
@@ -117,7 +120,7 @@ bool AreClockDigits(const NumbersOfColumn& column) {
          });
 }
 
-/// A column with a time name.
+/// Candidate from a column whose name suggests a time.
 TimeCandidate OfNamed(const NumbersOfColumn& column) {
   if (const Epoch* epoch = EpochOf(column, true)) return OfEpoch(column, *epoch);
   TimeCandidate candidate{.columns = {column.name}};
@@ -125,7 +128,7 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
     candidate.time = ColumnYaml(column.name, *told);
     return candidate;
   }
-  // "seconds" alone names its unit.
+  // A column called "seconds" states its unit.
   if (const auto unit = UnitOfText(column.name, Dimension::kTime); unit && column.name.size() > 1) {
     candidate.time = ColumnYaml(column.name, {unit->unit->name, unit->scale, ""});
     return candidate;
@@ -142,7 +145,8 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   }
   const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                          [](double value) { return value != std::round(value); });
-  // Steps of machine loggers. Milliseconds of a fast logger, taken as seconds, last too long.
+  // Step lengths that machine loggers use. Milliseconds read as seconds would make the recording
+  // too long.
   constexpr double kLeast_s = 2e-3, kMost_s = 0.5, kLongest_s = 6 * 3600;
   const bool is_long =
       !column.values.empty() && column.values.back() - column.values.front() > kLongest_s;
@@ -159,7 +163,7 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   return candidate;
 }
 
-/// Integer seconds and nanoseconds, as ROS stamps are written.
+/// Whole seconds in one column and nanoseconds in another, as in ROS stamps.
 std::optional<TimeCandidate> OfSecondsAndNanoseconds(const std::vector<NumbersOfColumn>& columns) {
   for (const NumbersOfColumn& nanos : columns) {
     for (const std::string_view ending : {"nanosec", "nsecs", "nsec"}) {
@@ -187,7 +191,7 @@ std::string LettersOf(std::string_view name) {
   return letters;
 }
 
-/// Hours, minutes and seconds in columns of their own; the hours may be absent.
+/// Hours, minutes and seconds in separate columns. Hours may be absent.
 std::optional<TimeCandidate> OfClockParts(const std::vector<NumbersOfColumn>& columns) {
   constexpr double kSixty = 60, kHours = 24;
   const auto find = [&](std::initializer_list<std::string_view> names, double below) {
@@ -238,9 +242,9 @@ std::optional<TimeCandidate> OfGpsWeek(const std::vector<NumbersOfColumn>& colum
       .is_absolute = true};
 }
 
-// --- Dates.
+// Dates.
 
-/// Counts of the kinds of texts in a column.
+/// Number of texts of each kind in a column.
 struct CalendarColumn {
   std::string name;
   std::size_t dates = 0, clocks = 0, both = 0, without_zone = 0;
@@ -306,13 +310,13 @@ std::vector<TimeCandidate> CalendarCandidates(const CsvFile& csv,
   }
   for (const CalendarColumn& date : found) {
     for (const CalendarColumn& clock : found) {
-      // A separate date column may have midnight as its time.
+      // A date column may show midnight while the time of day is in another column.
       if (most(date.dates + date.both) && most(clock.clocks)) {
         candidates.push_back(OfCalendar(date, clock.name));
       }
     }
   }
-  // A date with an ambiguous order is still preferred.
+  // A date is preferred even if its order is ambiguous.
   const bool asks_for_order = std::any_of(candidates.begin(), candidates.end(),
                                           [](const TimeCandidate& one) { return one.to_fill_in; });
   for (const CalendarColumn& column : found) {

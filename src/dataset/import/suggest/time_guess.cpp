@@ -16,12 +16,12 @@
 namespace tera {
 namespace {
 
-/// Properties of a mapping's times.
+/// Properties of the times that a candidate gives.
 struct SeenTimes {
   std::size_t rows = 0, without = 0, repeats = 0, backs = 0;
-  int first_repeat = 0, first_back = 0;  ///< lines
-  std::vector<TimeNs> t_ns;              ///< times in rows with a time
-  std::vector<std::size_t> timed;        ///< these rows
+  int first_repeat = 0, first_back = 0;  ///< line numbers
+  std::vector<TimeNs> t_ns;              ///< times of the rows that have one
+  std::vector<std::size_t> timed;        ///< indices of these rows
   bool goes_on = false;
   bool is_usable() const {
     return goes_on && 10 * without <= rows && 5 * repeats <= rows && 20 * backs <= rows + 20;
@@ -57,7 +57,7 @@ struct SeenCandidate : TimeCandidate {
   SeenTimes seen;
 };
 
-/// Rows at which times restart: later times stay below earlier ones for some rows, or to the end.
+/// Rows at which the times restart: this row and the next two are earlier than the row before them.
 std::vector<std::size_t> StartsAnew(const SeenTimes& seen) {
   constexpr std::size_t kRowsOfStart = 3;
   std::vector<std::size_t> starts;
@@ -80,7 +80,7 @@ TimeNs UsualStep(const SeenTimes& seen) {
   return steps.empty() ? 0 : Median(std::move(steps));
 }
 
-/// The period of a one-column time that restarts each time it goes back.
+/// The period of a one-column time that restarts whenever it goes back.
 std::optional<double> TurnOf(const CsvFile& csv, const TimeCandidate& candidate,
                              const SeenTimes& seen) {
   if (candidate.columns.size() != 1 || seen.backs == 0) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<double> TurnOf(const CsvFile& csv, const TimeCandidate& candidate,
   return turn;
 }
 
-/// Takes the longest part between restarts.
+/// Restricts the guess to the longest part between restarts.
 void TakeLongestPart(const CsvFile& csv, const SeenTimes& seen, TimeGuess* guess) {
   std::vector<std::size_t> starts = StartsAnew(seen);
   if (starts.empty()) return;
@@ -123,7 +123,7 @@ void TakeLongestPart(const CsvFile& csv, const SeenTimes& seen, TimeGuess* guess
       "own\n";
 }
 
-/// `time` of a candidate; a placeholder gets one of its possible values.
+/// The candidate's `time`, with a possible value in place of each placeholder.
 std::string PossibleTime(std::string time) {
   for (const auto& [unknown, possible] :
        {std::pair{"unit: unknown", "unit: ms"}, std::pair{"order: unknown", "order: dmy"}}) {
@@ -154,7 +154,6 @@ std::string RepeatRemarks(const SeenTimes& seen) {
   return remarks;
 }
 
-/// A `time:` placeholder.
 TimeGuess ToFillIn(std::size_t row_count, const std::vector<NumbersOfColumn>& columns,
                    const std::vector<SeenCandidate>& candidates) {
   std::string seen;
@@ -191,7 +190,8 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
     SeenTimes seen = Look(csv, rows, "time: " + PossibleTime(found.time));
     candidates.push_back({std::move(found), std::move(seen)});
   }
-  // The best of the increasing candidates, by certainty, then by regularity.
+  // Among candidates that increase, the most certain one is best; at equal certainty, the most
+  // regular.
   const SeenCandidate* best = nullptr;
   for (const SeenCandidate& candidate : candidates) {
     if (!candidate.seen.is_usable()) continue;

@@ -8,23 +8,24 @@
 
 namespace tera {
 
-/// The guessed time of a table.
+/// Guess of how a table gives the time.
 struct TimeGuess {
-  /// "time: {column: t, unit: s}\n" with its companions. For an unknown time, a `time:` placeholder
-  /// that the import refuses, with a remark on the observations.
+  /// Line "time: {column: t, unit: s}\n" with related keys. For an unknown time, a placeholder that
+  /// the import refuses, with a remark on what was observed.
   std::string yaml;
-  std::vector<std::string> columns;  ///< columns with the time
-  std::vector<TimeNs> t_ns;          ///< row times; empty unless all are known
-  /// The `valid_if` item that excludes rows with a repeated time; empty without any.
+  std::vector<std::string> columns;  ///< columns that the time uses
+  std::vector<TimeNs> t_ns;          ///< row times; empty unless every row has one
+  /// Item of `valid_if` that excludes rows with a repeated time; empty if there are none.
   std::string rule;
-  /// Lines of the longest part of a file with restarting times, as from a restarted logger; 0: from
-  /// the first, to the last.
+  /// If the time restarts within the file, for example because the logger restarted: lines of the
+  /// longest part without a restart. 0 means no limit.
   int first_line = 0, last_line = 0;
-  std::string parts;  ///< remarks on the parts
+  std::string parts;  ///< remarks on these parts
 };
 
-/// Guesses the time by names, dates, and magnitudes of an epoch, never by a monotonic column alone.
-/// `rows` are those to examine; `columns` are all columns with the numbers of these rows.
+/// Guesses from column names, dates, and numbers large enough to count from an epoch. That a column
+/// increases is not sufficient. Examines only `rows`; `columns` holds all columns with the numbers
+/// of these rows.
 TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
                     const std::vector<NumbersOfColumn>& columns, bool has_header);
 

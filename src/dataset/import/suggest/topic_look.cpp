@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// `paths`, then the times.
+/// `paths`, followed by the columns of times.
 std::vector<std::string> WithTimes(std::vector<std::string> paths, const std::string& stamp) {
   paths.push_back(kLogTime);
   if (!stamp.empty()) paths.push_back(stamp);
@@ -18,7 +18,7 @@ std::string TimeYaml(const std::string& value, const std::string& reason) {
   return fmt::format("time: {{{}}}   # guessed: {}\n", value, reason);
 }
 
-/// The reason against the messages' own times; empty: they are used.
+/// Reason for not using the stamps; empty if they are usable.
 std::string WhyNotOwn(const TopicTimes& times, bool trusts_far) {
   if (times.own_steps.rows == 0) return "their own is always 0, nobody has filled it";
   if (times.own_steps.IsStuck()) {
@@ -100,7 +100,7 @@ TopicLook::TopicLook(const std::filesystem::path& bag, const BagTopic& topic,
     }
     times_.own_steps.Add(*own_ns);
   }
-  // A clock that begins at 0, such as a simulation's, has one zero time, its first.
+  // A clock that starts at 0, such as a simulation clock, has a single stamp of 0, the first.
   const bool begins_at_zero = times_.unfilled == 1 && times_.own_steps.rows > 0 &&
                               table_.Stamp(0, own) == TimeNs{0} &&
                               times_.first_own_ns < FromSeconds(kLeastEpoch_s);

@@ -6,14 +6,14 @@
 
 #include "dataset/lint/checks/picture_set.h"
 
-// Boxes of objects, compared with the list of instances and the masks.
+// Compares boxes with the list of instances and with the masks.
 
 namespace tera {
 namespace {
 
 const FrameFolder kFolder = {"boxes", "json"};
 
-/// The pixels of an instance.
+/// Bounds and size of an instance's mask.
 struct Extent {
   int x_min = 0, y_min = 0, x_max = -1, y_max = -1;
   std::int64_t pixels = 0;
@@ -31,7 +31,7 @@ std::string Text(const Extent& e) {
   return fmt::format("{} pixels in {} {} to {} {}", e.pixels, e.x_min, e.y_min, e.x_max, e.y_max);
 }
 
-/// Extents of each instance in the picture, and of the wholes that contain them.
+/// Bounds of each instance in the image, and of each object that contains it.
 std::map<std::uint16_t, Extent> ExtentsOf(const LintJob& job, const Image<std::uint16_t>& mask) {
   std::map<std::uint16_t, std::uint16_t> wholes;
   std::map<std::uint16_t, Extent> extents;
@@ -59,10 +59,10 @@ void CheckInstance(LintJob* job, const PictureSet& set, const ObjectBox& box, bo
   const auto find = [&](const std::string& what) {
     job->Find("boxes.instance", set.camera, set.In(kFolder, NameOfBox(box) + " " + what));
   };
-  if (!is_new) find("is there twice");
+  if (!is_new) find("appears twice");
   const DatasetInfo::Instance* listed = job->InstanceOf(box.instance);
   if (listed == nullptr) {
-    find("is of no instance that dataset.yaml lists");
+    find("has no instance in dataset.yaml");
     return;
   }
   if (box.name != listed->name) find(fmt::format("should be of '{}'", listed->name));
@@ -108,7 +108,7 @@ void CheckMasks(LintJob* job, const PictureSet& set) {
                                           Text(extent))));
   }
   for (const auto& [instance, extent] : left) {
-    if (job->InstanceOf(instance) == nullptr) continue;  // pictures.instances reports it
+    if (job->InstanceOf(instance) == nullptr) continue;  // reported by pictures.instances
     job->Find(
         "boxes.mask", set.camera,
         set.In(kFolder, fmt::format("instance {} has no box, but {}", instance, Text(extent))));

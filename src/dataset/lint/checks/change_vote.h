@@ -10,39 +10,40 @@
 
 namespace tera {
 
-/// All valid rows of a channel.
 struct ScannedTable {
   std::vector<std::string> columns;
   std::vector<ScannedRow> rows;
 };
 ScannedTable ReadTable(const LintJob& job, const std::string& channel);
 
-/// First and last row of a window.
+/// Indices of the first and last row of a window.
 using RowWindow = std::pair<std::size_t, std::size_t>;
 
-/// Length of a window: long enough to average noise, short enough that a machine turns by less than
-/// half a revolution.
+/// Length of a window: long enough to average noise, and short enough that no machine turns by half
+/// a revolution.
 inline constexpr TimeNs kWindow_ns = kNsPerSecond / 2;
 
-/// Consecutive windows of kWindow_ns, without those with rows missing for half of it.
+/// Consecutive windows of kWindow_ns. Windows in which rows are missing for half of the time are
+/// skipped.
 std::vector<RowWindow> WindowsOf(const std::vector<ScannedRow>& rows);
 
-/// Compares two sources of the same changes, window by window.
+/// Compares two measurements of the same changes, window by window, and takes a majority vote.
 ///
-/// Model   a window counts if either source changes by more than twice `floor`. It is contradicted
-///         if the two differ by more than `floor` and by more than kShare of the larger change. The
-///         sources contradict each other if more than half of the counting windows are
-///         contradicted, so that slip, shocks and single jumps do not decide.
+/// Model   A window counts if either measurement changes by more than twice `floor`. It is
+///         contradicted if the measurements differ by more than `floor` and by more than the
+///         fraction kShare of the larger change. The measurements contradict each other if more
+///         than half of the counted windows are contradicted. Thus slip, shocks and single jumps do
+///         not decide.
 class ChangeVote {
  public:
   explicit ChangeVote(double floor) : floor_(floor) {}
 
-  /// Magnitudes of the changes and of their difference; `line` is that of the window's last row.
+  /// Adds a window: magnitudes of both changes and of their difference. `line` is the last line of
+  /// the window.
   void Add(int line, double first, double second, double difference);
   bool IsContradicted() const { return 2 * contradicted_ > counted_; }
-  /// Line of the first contradicted window.
   int line() const { return line_; }
-  /// Text of the contradiction; `first` and `second` name the sources.
+  /// Text that describes the contradiction; `first` and `second` name the measurements.
   std::string Summary(std::string_view first, std::string_view second, std::string_view unit) const;
 
  private:
@@ -50,7 +51,7 @@ class ChangeVote {
 
   double floor_;
   int counted_ = 0, contradicted_ = 0, line_ = 0;
-  double first_ = 0, second_ = 0;  ///< sums over contradicted windows
+  double first_ = 0, second_ = 0;  ///< sums over the contradicted windows
 };
 
 }  // namespace tera

@@ -4,7 +4,7 @@
 
 #include "dataset/lint/lint_job.h"
 
-// Semantic faults of a readable dataset.yaml.
+// Checks the content of a readable dataset.yaml.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -46,31 +46,30 @@ void CheckInstances(LintJob* job) {
         {kDescription, 0, fmt::format("instance {} ({}) {}", instance.id, instance.name, what)});
   };
   for (const DatasetInfo::Instance& instance : instances) {
-    if (instance.id == 0) find(instance, "has the id that means none");
-    if (!seen.insert(instance.id).second) find(instance, "has the id of another");
+    if (instance.id == 0) find(instance, "has the id 0, which means no instance");
+    if (!seen.insert(instance.id).second) find(instance, "has the id of another instance");
     if (!classes.contains(instance.label)) {
-      find(instance, fmt::format("is of class '{}', which is not listed", instance.label));
+      find(instance, fmt::format("has the class '{}', which is not listed", instance.label));
     }
     const bool has_parent = instance.parent == 0 || (instance.parent != instance.id &&
                                                      job->InstanceOf(instance.parent) != nullptr);
     if (!has_parent)
       find(instance,
-           fmt::format("is part of {}, which is not another of the list", instance.parent));
+           fmt::format("has the parent {}, which is not another listed instance", instance.parent));
   }
 }
 
-/// Detects times in ms or us taken for ns, which give a date earlier than any recording of a
-/// machine.
+/// Detects an epoch in ms or us instead of ns, which gives a date before 1990.
 void CheckEpoch(LintJob* job) {
   constexpr TimeNs kYear1990_ns = 631'152'000 * kNsPerSecond;
   const std::optional<RecordingEpoch>& epoch = job->recording().info().epoch;
   if (!epoch) return;
   job->Applies("dataset.epoch");
   if (epoch->since_1970_ns >= kYear1990_ns) return;
-  job->Find("dataset.epoch", "",
-            {kDescription, 0,
-             fmt::format("the epoch is {:.0f} s after the beginning of 1970",
-                         ToSeconds(epoch->since_1970_ns))});
+  job->Find(
+      "dataset.epoch", "",
+      {kDescription, 0,
+       fmt::format("the epoch is {:.0f} s after 1970-01-01", ToSeconds(epoch->since_1970_ns))});
 }
 
 }  // namespace

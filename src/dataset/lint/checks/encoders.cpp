@@ -8,23 +8,22 @@
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/lint_job.h"
 
-// Levers and joints.
+// Checks levers and joints.
 
 namespace tera {
 namespace {
 
-/// Encoders resolve a tenth of a degree and tenths of a millimetre; the integrated noise of their
-/// rates over a window is smaller.
+/// Above the resolution of encoders (a tenth of a degree, tenths of a millimetre) and above the
+/// noise of their rates, integrated over a window.
 constexpr double kJointFloor_rad = 0.02, kTravelFloor_m = 0.005;
-/// No joint of a machine exceeds these: ten revolutions at the first row, or a wheel of a metre at
-/// 100 m/s.
+/// No joint exceeds these limits: ten revolutions at the start, and the rate of a 1 m wheel at 100
+/// m/s.
 constexpr double kMostFirstAngle_rad = 20 * kPi, kMostRate_radps = 100;
-/// A cab slews at 14 rev/min at most.
+/// A cab slews at up to 14 rpm.
 constexpr double kMostSwing_radps = 1.5;
-/// A zero position off by 10 degrees, or 10 cm, was never set.
+/// A larger offset, 10 degrees or 10 cm, means that the zero position is wrong.
 constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
 
-/// One joint of an encoder's table.
 struct Joint {
   std::string column;  ///< position column
   std::size_t position = 0, rate = 0;
@@ -61,7 +60,7 @@ void CheckRates(LintJob* job, const std::string& channel, const ScannedTable& ta
              vote.Summary(joint.column, table.columns[joint.rate], joint.linear ? "m" : "rad")});
 }
 
-/// Rows at which a joint's angle jumps.
+/// Rows at which the angle of a joint jumps.
 std::vector<std::size_t> JumpsOfJoint(const ScannedTable& table, const Joint& joint) {
   if (joint.linear) return {};
   std::vector<double> angles;
@@ -82,8 +81,8 @@ void CheckJumps(LintJob* job, const std::string& channel, const ScannedTable& ta
   }
 }
 
-/// Whether a joint can exceed a turn at the start of a recording: a wheel, which turns on, or a
-/// cab, which slews. A joint at rest, or one that oscillates faster than a cab, cannot.
+/// True if a joint may exceed a full turn at the start of a recording, like a wheel or a slewing
+/// cab. A joint that rests, or oscillates faster than a cab slews, may not.
 bool CanBeBeyondATurn(const ScannedTable& table, const Joint& joint) {
   constexpr double kOnAndOn = 0.8, kLeastTravel_rad = 0.1;
   double path_rad = 0, fastest_radps = 0;
@@ -112,7 +111,7 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   if (start_rad > kMostFirstAngle_rad || (start_rad > 2 * kPi && !CanBeBeyondATurn(table, joint))) {
     find(first, joint.position, "rad at the first row, beyond a turn");
   }
-  // Difference quotients across a jump are not rates; encoders.jump reports the jump.
+  // A difference quotient across a jump is not a rate. The jump is reported by encoders.jump.
   const std::vector<std::size_t> jumps = JumpsOfJoint(table, joint);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const bool is_of_jump = std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
@@ -124,7 +123,7 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   }
 }
 
-/// A column's value in the nearest row; nothing outside the table.
+/// Value of a column in the row nearest in time; nullopt outside the table.
 std::optional<double> NearestValue(const ScannedTable& table, std::size_t column, TimeNs t_ns) {
   const auto after = std::lower_bound(table.rows.begin(), table.rows.end(), t_ns,
                                       [](const ScannedRow& row, TimeNs t) { return row.t_ns < t; });

@@ -6,16 +6,16 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// Existing files, compared with the expected ones.
+// Compares the files on disk with the expected files.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Files outside all channels.
+/// Files that belong to no channel.
 const std::set<std::string> kFilesOfAll = {"dataset.yaml", "scenario.yaml", kFrameHashesName,
                                            "overview.png", "overview.mp4",  "truth/state.blocks"};
-/// Folder with arbitrary file names.
+/// Files in this folder may have any name.
 constexpr std::string_view kTerrainFolder = "truth/terrain";
 
 bool IsSensor(const LintJob& job, const std::string& channel) {
@@ -41,11 +41,10 @@ void CheckRowFile(LintJob* job, const std::string& channel) {
   const std::string file = job->RowsOf(channel);
   std::error_code ignored;
   if (fs::is_regular_file(job->Path(file), ignored)) return;
-  job->Find("files.missing", channel, {file, 0, "is not there, though dataset.yaml lists it"});
+  job->Find("files.missing", channel, {file, 0, "is missing, but dataset.yaml lists it"});
   job->LeaveOut(channel);
 }
 
-/// Names of the files in a folder.
 std::set<std::string> NamesIn(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -54,7 +53,7 @@ std::set<std::string> NamesIn(const fs::path& folder) {
   return names;
 }
 
-/// Compares one folder of frames with the list of them, both ways.
+/// Compares a folder of frames with its frame list, in both directions.
 void CompareFrames(LintJob* job, const std::string& channel, const FrameFolder& folder,
                    const std::vector<FrameRow>& frames) {
   std::error_code ignored;
@@ -71,7 +70,7 @@ void CompareFrames(LintJob* job, const std::string& channel, const FrameFolder& 
   for (const std::string& name : left) {
     job->Find("files.extra", channel,
               {fmt::format("{}/{}/{}", channel, folder.name, name), 0,
-               "is of no frame that data.csv names"});
+               "belongs to no frame that data.csv lists"});
   }
 }
 
@@ -85,7 +84,7 @@ void CheckFrames(LintJob* job, const std::string& channel,
   for (const FrameFolder& folder : folders) CompareFrames(job, channel, folder, frames);
 }
 
-/// Files and folders of the format.
+/// Files and folders that the format defines.
 class KnownFiles {
  public:
   explicit KnownFiles(const LintJob& job) : files_(kFilesOfAll) {
@@ -102,7 +101,7 @@ class KnownFiles {
 
   bool HasFile(const std::string& file) const { return files_.contains(file); }
   bool HasFolder(const std::string& folder) const { return folders_.contains(folder); }
-  /// Folders whose files another check examines.
+  /// True for folders whose files another check examines.
   bool IsHeldElsewhere(const std::string& folder) const { return frames_.contains(folder); }
 
  private:
@@ -135,10 +134,11 @@ void CheckUnknown(LintJob* job) {
     const std::string name = entry->path().lexically_relative(root).generic_string();
     if (!entry->is_directory()) {
       const std::string folder = fs::path(name).parent_path().string();
-      if (!known.HasFile(name) && folder != kTerrainFolder) find(name, "is no file of the format");
+      if (!known.HasFile(name) && folder != kTerrainFolder)
+        find(name, "is not a file of the format");
       continue;
     }
-    if (!known.HasFolder(name)) find(name, "is no folder of the format or of a listed channel");
+    if (!known.HasFolder(name)) find(name, "is not a folder of the format or of a listed channel");
     if (!known.HasFolder(name) || known.IsHeldElsewhere(name) || name == kTerrainFolder) {
       entry.disable_recursion_pending();
     }

@@ -11,18 +11,18 @@
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
 
-// Compares the flow of the ground with distance and the camera's poses.
+// Compares optical flow of the ground with flow computed from distance and camera poses.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Number of compared pictures of a camera, spread over the recording, and pixel steps along rows
-/// and columns. A wrong sign, order or pose shows everywhere.
+/// Number of images compared per camera, spread over the recording, and spacing of the compared
+/// pixels. A wrong sign, order or pose affects every pixel.
 constexpr std::size_t kMostFlowPictures = 20;
 constexpr int kPixelStep = 5;
-/// Flow is rounded to 1/64 px and distance to 1 mm. Poses are interpolated between their own times,
-/// which costs a tenth of a pixel at 1 rad/s^2 and 50 Hz.
+/// Covers rounding of flow (1/64 px) and distance (1 mm), and interpolation of poses. Interpolation
+/// causes an error of a tenth of a pixel at 1 rad/s^2 and 50 Hz.
 constexpr double kTolerance_px = 0.5, kToleranceShare = 0.1, kLeastAgreeing = 0.5;
 constexpr int kFewestPixels = 50;
 
@@ -30,11 +30,11 @@ struct FlowAgreement {
   int compared = 0, agreeing = 0;
 };
 
-/// A camera's view of the ground at one time, with its pose then and previously.
+/// Images of the ground at one time, with the camera's motion since the previous image.
 struct FlowView {
   Image<std::uint16_t> flow, distance, instance;
   Image<std::uint8_t> semantic;
-  Pose X_PreviousNow;  ///< in the camera's frame S
+  Pose X_PreviousNow;  ///< in the sensor frame S of the camera
 
   bool IsGround(int x, int y) const {
     return instance.at(x, y) == 0 &&
@@ -61,7 +61,7 @@ void Compare(const FlowView& view, const CameraLens& lens, FlowAgreement* agreem
   }
 }
 
-/// Returns false for a damaged picture or one of another size, which other rules report.
+/// Returns false if an image is damaged or has another size. Other rules report it.
 bool Read(const LintJob& job, const std::string& camera, TimeNs t_ns, const CameraLens& lens,
           FlowView* view) {
   const auto file = [&](std::string_view folder) {
@@ -111,7 +111,7 @@ void CheckFlowOf(LintJob* job, const std::string& camera) {
   if (agreement.agreeing >= kLeastAgreeing * agreement.compared) return;
   job->Find("pictures.motion", camera,
             {camera + "/flow_to_previous", 0,
-             fmt::format("{} of {} pixels of the ground move as the camera does",
+             fmt::format("only {} of {} ground pixels have the flow that the camera poses give",
                          agreement.agreeing, agreement.compared)});
 }
 

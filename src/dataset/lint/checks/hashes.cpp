@@ -9,7 +9,7 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// frames.sha256: one line per file, "<64 hexadecimal digits>  <name>", in sha256sum's format.
+// Checks frames.sha256. Its lines are "<64 hexadecimal digits>  <name>", the format of sha256sum.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kDigits = 64;
 constexpr std::string_view kBetween = "  ";
 
-/// Files of channels, by name, and the descriptions. Excludes files that other programs may write
-/// (overview.png) and frames.sha256 itself.
+/// Files of channels and the descriptions, by name. Excludes frames.sha256 itself and files that
+/// other programs may rewrite, such as overview.png.
 std::set<std::string> HashedFiles(const LintJob& job) {
   std::set<std::string> files;
   const auto add = [&](const std::string& file) {
@@ -54,14 +54,14 @@ void CheckLine(LintJob* job, const std::string& text, int line, std::set<std::st
   const bool has_form = text.size() > kDigits + kBetween.size() &&
                         text.compare(kDigits, kBetween.size(), kBetween) == 0;
   if (!has_form) {
-    find(kFrameHashesName, line, "is no line of digest and name");
+    find(kFrameHashesName, line, "is not a line of digest and name");
     return;
   }
   const std::string file = text.substr(kDigits + kBetween.size());
   unlisted->erase(file);
   std::error_code ignored;
   if (!fs::is_regular_file(job->Path(file), ignored)) {
-    find(kFrameHashesName, line, fmt::format("{} is not there", file));
+    find(kFrameHashesName, line, fmt::format("{} is missing", file));
     return;
   }
   const std::string found = DigestOf(job->Path(file)).sha256;

@@ -12,20 +12,19 @@
 namespace tera {
 namespace {
 
-/// A machine's median acceleration is small compared with gravity; wrong units (g, mm/s2) are off
-/// by ten.
+/// Median specific force divided by gravity. Accelerations of a machine are small compared with
+/// gravity, whereas a wrong unit (g, mm/s2) is off by a factor of about ten or more.
 constexpr double kLeastGravityShare = 0.5, kMostGravityShare = 2;
-/// For a window of half a second: a bias of 0.1 rad/s, beyond any usable gyroscope, and the noise
-/// of lidar registration poses.
+/// For a window of half a second. Covers a gyro bias of 0.1 rad/s and the noise of poses from lidar
+/// registration.
 constexpr double kAngleFloor_rad = 0.05;
-/// With possible joints between root and unit, only ratios of their turns beyond any joint's effect
-/// count. Windows in which the root turns less do not count.
+/// If joints may lie between root and sensor, only a rotation ratio that no joint motion explains
+/// counts. Windows in which the root turns less than kRootTurn_rad are skipped.
 constexpr double kMostRatio = 20, kRootTurn_rad = 0.05;
-/// For the mean specific force in the world: biases, scale errors and mount tilt stay below a tenth
-/// of gravity; a wrong axis is off by gravity.
+/// Tolerance of the mean specific force in the world. Biases, scale errors and mount tilt cause
+/// less than a tenth of gravity; a wrong axis causes an error of the size of gravity.
 constexpr double kUpTolerance_mps2 = 1;
 
-/// An inertial unit's measurement in one row.
 struct ImuRow {
   Vec3 w_S_radps, f_S_mps2;
 };
@@ -35,8 +34,9 @@ ImuRow ImuOf(const ScannedRow& row) {
   return {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5])};
 }
 
-/// Judges a unit by itself. Returns false after reporting missing gravity. With poses, imu.up and
-/// imu.rates judge its axes and rates. A simulation's axes are those of its scenario.
+/// Checks an IMU on its own. Returns false after reporting that gravity is missing. Axes and rates
+/// are left to imu.up and imu.rates if poses are known. For simulations they are as the scenario
+/// defines.
 bool CheckConventions(LintJob* job, const std::string& channel, const ScannedTable& table,
                       const std::optional<SensorPoses>& poses) {
   if (table.rows.empty()) return true;
@@ -77,7 +77,7 @@ void CheckGravity(LintJob* job, const std::string& channel, const ScannedTable& 
        fmt::format("the median specific force is {:.4g} m/s2", share * kStandardGravity_mps2)});
 }
 
-/// The rotation of a window from the gyroscope; each row is the mean rate since the previous row.
+/// Rotation over a window by gyro rates. The rate in a row is the mean since the previous row.
 Mat3 TurnByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& window) {
   Mat3 R = Mat3::Identity();
   for (std::size_t i = window.first + 1; i <= window.second; ++i) {
@@ -89,7 +89,7 @@ Mat3 TurnByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& windo
   return R;
 }
 
-/// Sum of the rotation magnitudes, which does not wrap for a unit in degrees per second.
+/// Sum of the rotation angles. Unlike the net rotation, it does not wrap if the unit is deg/s.
 double PathByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& window) {
   double path_rad = 0;
   for (std::size_t i = window.first + 1; i <= window.second; ++i) {
@@ -112,7 +112,8 @@ void CheckTurns(LintJob* job, const std::string& channel, const ScannedTable& ta
     const Mat3 by_poses = begin->linear().transpose() * end->linear();
     const Mat3 by_unit = TurnByGyroscope(table.rows, window);
     const double turn_rad = AngleOf(by_poses), path_rad = PathByGyroscope(table.rows, window);
-    // Beyond half a revolution the difference of rotations wraps, that of magnitudes does not.
+    // Beyond half a revolution, the difference of rotations wraps, but the difference of angles
+    // does not.
     const double wrong_rad =
         path_rad > kPi ? path_rad - turn_rad : AngleOf(by_poses.transpose() * by_unit);
     vote.Add(table.rows[window.second].line, turn_rad, path_rad > kPi ? path_rad : AngleOf(by_unit),
@@ -128,7 +129,8 @@ void CheckTurns(LintJob* job, const std::string& channel, const ScannedTable& ta
   if (ratio < kMostRatio && ratio > 1 / kMostRatio) return;
   job->Find(
       "imu.rates", channel,
-      {file, 0, fmt::format("turns {:.4g} times as far as its machine, in the median", ratio)});
+      {file, 0,
+       fmt::format("the unit turns {:.4g} times as far as its machine, in the median", ratio)});
 }
 
 double MostSpeed(const std::vector<PoseRow>& poses) {
@@ -144,7 +146,7 @@ double MostSpeed(const std::vector<PoseRow>& poses) {
   return most_mps;
 }
 
-/// The mean specific force in W must equal gravity plus the change of velocity over the time.
+/// Checks that the mean specific force in W equals gravity plus the mean acceleration of the poses.
 void CheckUp(LintJob* job, const std::string& channel, const ScannedTable& table,
              const SensorPoses& sensor) {
   if (sensor.of_root) return;

@@ -5,7 +5,7 @@
 
 #include "dataset/lint/checks/picture_set.h"
 
-// Classes and instances of pixels.
+// Checks classes and instances of pixels.
 
 namespace tera {
 namespace {
@@ -37,7 +37,7 @@ void CheckInstances(LintJob* job, const PictureSet& set) {
   }
 }
 
-/// Differences between the panoptic picture and the other two.
+/// Compares the panoptic image with the class and instance images.
 void CheckPanoptic(LintJob* job, const PictureSet& set) {
   const CameraFrame& frame = set.frame;
   if (frame.panoptic.empty()) return;
@@ -54,9 +54,8 @@ void CheckPanoptic(LintJob* job, const PictureSet& set) {
   const std::int64_t instances = std::max(count(1, frame.instance, 0), count(2, frame.instance, 8));
   const auto find = [&](std::int64_t differing, std::string_view of) {
     if (differing == 0) return;
-    job->Find(
-        "pictures.agree", set.camera,
-        set.In("panoptic", fmt::format("{} pixels have not the number of {}/", differing, of)));
+    job->Find("pictures.agree", set.camera,
+              set.In("panoptic", fmt::format("{} pixels differ from {}/", differing, of)));
   };
   find(classes, "semantic");
   find(instances, "instance");
@@ -73,12 +72,12 @@ void CheckAgreement(LintJob* job, const PictureSet& set) {
   }
   for (const auto& [pair, count] : counts) {
     const DatasetInfo::Instance* listed = job->InstanceOf(pair.first);
-    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // other rules report it
+    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // reported by other rules
     const std::string name = job->ClassName(pair.second);
     if (name == listed->label) continue;
     job->Find(
         "pictures.agree", set.camera,
-        set.In("semantic", fmt::format("{} pixels are {} and of instance {} ({}), which is {}",
+        set.In("semantic", fmt::format("{} pixels have class {} but instance {} ({}) of class {}",
                                        count, name, listed->id, listed->name, listed->label)));
   }
 }

@@ -3,12 +3,12 @@
 namespace tera {
 namespace {
 
-/// Tangent of the largest angle from the axis at which a lens model is trusted.
+/// Tangent of the largest angle off axis at which the distortion model is used.
 constexpr double kFieldTangent = 1.2;
 constexpr int kIterations = 20;
 constexpr double kConverged_px = 0.01;
 
-/// The distorted image of a point at distance 1 along the axis.
+/// Distorted coordinates of a point at depth 1.
 Vec2 Distorted(const Vec2& p, const CameraLens& lens) {
   const double x = p.x(), y = p.y(), r2 = p.squaredNorm();
   const double radial = 1 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3));

@@ -7,23 +7,24 @@
 
 namespace tera {
 
-/// Whether Project and RayOf support a lens.
+/// True if Project and RayOf support the lens.
 bool IsProjectable(const CameraLens& lens);
 
-/// Image of a point of the camera's optical frame, in an unbounded picture. Nothing for a point
-/// behind the camera or beyond 50 degrees from its axis, where a lens polynomial may turn back.
+/// Image coordinates of a point in the optical frame; they may lie outside the image. Returns
+/// nullopt for a point behind the camera or more than 50 degrees off axis, where the distortion
+/// polynomial may not be monotonic.
 ///
 /// Frames  C optical (x right, y down, z forward); pixel centres are integers.
 /// Model   radial k1 k2 k3, tangential p1 p2.
 /// Source  Brown 1966; OpenCV, "Camera Calibration and 3D Reconstruction".
 std::optional<Vec2> Project(const Vec3& p_C_m, const CameraLens& lens);
 
-/// The unit vector along a pixel's line of sight: Project's inverse by iteration.
+/// Unit vector along the line of sight of a pixel. Inverts Project by iteration.
 std::optional<Vec3> RayOf(const Vec2& pixel_px, const CameraLens& lens);
 
-/// From the sensor frame S (x forward, y left, z up) to the optical frame.
+/// Converts from the sensor frame S (x forward, y left, z up) to the optical frame.
 inline Vec3 OpticalOf(const Vec3& p_S_m) { return {-p_S_m.y(), -p_S_m.z(), p_S_m.x()}; }
-/// From the optical frame to the sensor frame.
+/// Converts from the optical frame to the sensor frame.
 inline Vec3 SensorOf(const Vec3& p_C_m) { return {p_C_m.z(), -p_C_m.x(), -p_C_m.y()}; }
 
 }  // namespace tera

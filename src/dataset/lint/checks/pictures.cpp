@@ -8,7 +8,7 @@
 #include "dataset/format/png.h"
 #include "dataset/lint/checks/picture_set.h"
 
-// The pictures of cameras, one frame in memory at a time.
+// Checks the images of cameras. Memory holds one frame.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -18,7 +18,7 @@ using PictureSize = std::optional<std::pair<int, int>>;
 
 const FrameFolder kBoxes = {"boxes", "json"};
 
-/// Runs `read`; a failure is a finding.
+/// Runs `read`. If it fails, adds a finding and returns false.
 bool Reads(LintJob* job, RuleId rule, const PictureSet& set, const FrameFolder& folder,
            const std::function<void()>& read) {
   job->Applies(rule);
@@ -27,13 +27,13 @@ bool Reads(LintJob* job, RuleId rule, const PictureSet& set, const FrameFolder& 
     return true;
   } catch (const InternalError&) {
     throw;
-  } catch (const std::exception& e) {  // OpenCV throws its own exceptions for some headers
+  } catch (const std::exception& e) {  // OpenCV throws exceptions of its own for some headers
     job->Find(rule, set.camera, set.In(folder, e.what()));
     return false;
   }
 }
 
-/// Empties a picture of another size than the camera's.
+/// Reports an image that does not have the camera's size, and clears it.
 template <typename T>
 void HoldToSize(LintJob* job, const PictureSet& set, const FrameFolder& folder, PictureSize* size,
                 Image<T>* picture) {
@@ -52,7 +52,7 @@ void ReadOne(LintJob* job, const PictureSet& set, const FrameFolder& folder, Pic
              Image<T>* picture, const Read& read) {
   const fs::path file = job->Path(FrameFile(set.camera, folder, set.row.t_ns));
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return;  // files.missing reports it
+  if (!fs::is_regular_file(file, ignored)) return;  // reported by files.missing
   ++job->statistics().pictures;
   if (Reads(job, "pictures.readable", set, folder, [&] { read(file, picture); })) {
     HoldToSize(job, set, folder, size, picture);

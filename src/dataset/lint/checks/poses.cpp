@@ -12,14 +12,14 @@
 namespace tera {
 namespace {
 
-/// Contact moves a machine by steps that its mean velocity does not include; they stay far below
-/// these.
+/// Ground contact moves a machine by small steps that its recorded velocities do not include. They
+/// stay far below these limits.
 constexpr double kPositionFloor_m = 0.03, kTurnFloor_rad = 0.02;
 
-/// A machine's root is on the ground, or at most a machine's height above it.
+/// The root of a machine is on the ground, or at most as high above it as the machine is tall.
 constexpr double kBelowGround_m = 5;
-/// A free fall of three metres from rest. No motion of a machine looks like it: the path bulges by
-/// 0.8 m from a straight line between its ends.
+/// A free fall from rest over 0.8 s and three metres. No machine moves this way: the middle of the
+/// path is 0.8 m away from the line between its ends.
 constexpr TimeNs kFall_ns = 800'000'000;
 constexpr double kFallTolerance_m = 0.1;
 constexpr std::size_t kLeastRowsOfFall = 5;
@@ -40,7 +40,7 @@ void CheckQuaternions(LintJob* job, const std::string& channel, const ScannedTab
   }
 }
 
-/// The first pose, integrated with mean velocities and rates of consecutive rows.
+/// Integrates mean velocities and rates of consecutive rows from the first pose on.
 Pose Integrated(const std::vector<PoseRow>& poses, const RowWindow& window) {
   Pose X_WB = poses[window.first].pose.X_WB;
   for (std::size_t i = window.first; i < window.second; ++i) {
@@ -61,7 +61,7 @@ double AngleBetween(const Pose& a, const Pose& b) {
 void CheckVelocities(LintJob* job, const std::string& channel, const ScannedTable& table) {
   if (table.columns.size() <= 7) return;
   const std::vector<PoseRow> poses = ReadPoses(*job, channel);
-  if (poses.size() != table.rows.size()) return;  // poses.quaternion reports it
+  if (poses.size() != table.rows.size()) return;  // reported by poses.quaternion
   ChangeVote moved(kPositionFloor_m), turned(kTurnFloor_rad);
   for (const RowWindow& window : WindowsOf(table.rows)) {
     job->Applies("poses.velocity");
@@ -84,7 +84,7 @@ void CheckVelocities(LintJob* job, const std::string& channel, const ScannedTabl
   tell(turned, "quaternions", "rates", "rad");
 }
 
-/// The lowest recorded ground, or nothing.
+/// Lowest ground height in the recording; nullopt if there is none.
 std::optional<double> LowestGround_m(const LintJob& job) {
   const std::filesystem::path folder = job.Path("truth/terrain");
   std::error_code none;
@@ -99,7 +99,7 @@ std::optional<double> LowestGround_m(const LintJob& job) {
   return lowest_m;
 }
 
-/// Whether the rows from `first` on for kFall_ns are a free fall.
+/// True if the rows from `first` on are a free fall for kFall_ns.
 bool IsFall(const std::vector<ScannedRow>& rows, std::size_t first) {
   const TimeNs from_ns = rows[first].t_ns;
   std::size_t last = first;
@@ -130,7 +130,7 @@ void CheckGround(LintJob* job, const std::string& channel, const ScannedTable& t
   }
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (!IsFall(table.rows, i)) continue;
-    find(table.rows[i], fmt::format("falls freely for {} s from here on", ToSeconds(kFall_ns)));
+    find(table.rows[i], fmt::format("falls freely for {} s from this row", ToSeconds(kFall_ns)));
     return;
   }
 }

@@ -12,15 +12,15 @@
 namespace tera {
 namespace {
 
-/// Receivers give degrees with seven decimals, which is 1 cm on the ground.
+/// Receivers output degrees with seven decimals, which is 1 cm on the ground.
 constexpr double kGeodesyTolerance_m = 0.02;
-/// Largest distance of an antenna from its machine's root, on the bucket of a large excavator.
+/// Largest distance of an antenna from the root of its machine: on the bucket of a large excavator.
 constexpr double kReach_m = 20;
-/// A receiver's error limit, besides an unknown lever arm: 5 of its standard deviations plus the 10
-/// m of a single-point solution.
+/// Largest error of a receiver, in addition to an unknown lever arm: 5 standard deviations plus 10
+/// m for a fix without corrections.
 constexpr double kSigmas = 5, kSinglePoint_m = 10;
 
-/// Columns of docs/reference/dataset.md.
+/// Columns as in docs/reference/dataset.md.
 enum Column : std::size_t { kLat, kLon, kAlt, kEast, kNorth, kUp, kFix, kVarE, kVarN, kVarU };
 
 Vec3 EnuOf(const ScannedRow& row) {
@@ -80,8 +80,8 @@ void CheckPlace(LintJob* job, const std::string& channel, const ScannedTable& ta
   if (median_m <= 0) return;
   job->Find("gnss.pose", channel,
             {job->RowsOf(channel), 0,
-             fmt::format("lies {:.4g} m beyond what its noise and the machine's reach explain, in "
-                         "the median",
+             fmt::format("the distance from the pose exceeds noise and the machine's reach by "
+                         "{:.4g} m, in the median",
                          median_m)});
 }
 

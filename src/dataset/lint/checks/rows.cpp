@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-/// Axes of an encoder from its header; empty for another header.
+/// Axes of an encoder from its column names; empty if these are not encoder columns.
 std::vector<EncoderAxis> AxesOf(const std::vector<std::string>& columns) {
   constexpr std::string_view kAngle = "_rad", kTravel = "_m";
   std::vector<EncoderAxis> axes;
@@ -30,7 +30,7 @@ std::vector<EncoderAxis> AxesOf(const std::vector<std::string>& columns) {
   return axes;
 }
 
-/// The fault of a header, or nothing.
+/// Describes the fault of a header; empty if it has none.
 std::string HeaderFault(std::string_view type, ChannelForm form, const RowScan& scan) {
   const std::vector<std::string>& columns = scan.columns();
   const std::string found = TableHeader(columns);

@@ -10,13 +10,13 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// The scans of lidars, one in memory at a time.
+// Checks the scans of lidars. Memory holds one scan.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Place of findings in one scan.
+/// Reports findings in one scan.
 struct ScanPlace {
   LintJob* job;
   const std::string& lidar;
@@ -40,7 +40,7 @@ void CheckValues(const ScanPlace& place, const std::vector<LidarPoint>& points, 
   };
   find(endless, "have coordinates that are not finite");
   find(bright, "have intensities beyond 0 to 1");
-  find(late, "are later than the revolution lasts");
+  find(late, "have times after the end of the revolution");
 }
 
 void CheckPointLabels(const ScanPlace& place, const std::vector<LidarPoint>& points) {
@@ -62,7 +62,7 @@ void CheckPointLabels(const ScanPlace& place, const std::vector<LidarPoint>& poi
     place.Find("scans.instances",
                listed == nullptr
                    ? fmt::format("{} points of instance {}", count, instance)
-                   : fmt::format("{} points are {} and of instance {} ({}), which is {}", count,
+                   : fmt::format("{} points have class {} but instance {} ({}) of class {}", count,
                                  name, instance, listed->name, listed->label));
   }
 }
@@ -81,7 +81,7 @@ void Tell(DatasetStatistics* statistics, const std::vector<LidarPoint>& points) 
 void CheckScan(const ScanPlace& place, double rate_hz) {
   std::error_code ignored;
   const fs::path path = place.job->Path(place.file);
-  if (!fs::is_regular_file(path, ignored)) return;  // files.missing reports it
+  if (!fs::is_regular_file(path, ignored)) return;  // reported by files.missing
   place.job->Applies("scans.readable");
   std::vector<LidarPoint> points;
   try {

@@ -11,33 +11,32 @@
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
 
-// Compares lidar points with a depth picture of the same machine and time.
+// Compares lidar points with a depth image of the same machine at the same time.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Largest time between point and picture: half a revolution at the usual 10 Hz. Poses are those of
-/// each point's own time. With mounts alone, a link that turns at 1 rad/s moves points by at most
-/// kDepthToleranceShare.
+/// Longest time between a point and an image: half a revolution at the usual 10 Hz. The poses at
+/// the point's own time are used. Without poses, a link that turns at 1 rad/s displaces points by
+/// at most kDepthToleranceShare.
 constexpr TimeNs kSameTime_ns = 50'000'000;
-/// Number of compared pictures for a pair of sensors, spread over the recording. A wrong mount or
-/// unit shows in each.
+/// Number of images compared per camera and lidar, spread over the recording. A wrong mount or unit
+/// affects every image.
 constexpr std::size_t kMostDepthPictures = 20;
-/// Covers noise of stereo cameras and lidars, and edges. Parallax and the time difference move some
-/// points by more, but not most of them.
+/// Covers noise and object edges. Parallax and time differences displace some points more, but not
+/// most of them.
 constexpr double kTolerance_m = 0.15, kDepthToleranceShare = 0.05, kLeastAgreeingPoints = 0.5;
 constexpr int kFewestPoints = 50;
 
-/// A camera and a lidar.
 struct Pair {
   std::string camera, lidar;
   CameraLens lens;
-  FrameFolder folder;  ///< distance/, which has no noise, or depth/
+  FrameFolder folder;  ///< distance/, which has no noise, or else depth/
   std::optional<SensorPoses> camera_poses, lidar_poses;
-  std::optional<Pose> X_CamLidar;  ///< set if both are fixed to the same link
+  std::optional<Pose> X_CamLidar;  ///< set if both are fixed to one link
 
-  /// Pose of the lidar at one time in the camera's frame S at another.
+  /// Pose of the lidar at `point_ns` in the camera's sensor frame at `picture_ns`.
   std::optional<Pose> PoseOfLidar(TimeNs picture_ns, TimeNs point_ns) const {
     if (X_CamLidar) return X_CamLidar;
     const auto X_WCam = PoseAt(camera_poses->poses, picture_ns);
@@ -51,13 +50,13 @@ struct Agreement {
   int compared = 0, agreeing = 0, pictures = 0;
 };
 
-/// True of a point that the air returned, which no picture of surfaces shows.
+/// True for returns from airborne particles, which depth images do not show.
 bool IsOfAir(const LidarPoint& point) {
   const auto label = static_cast<SemanticClass>(point.label);
   return label == SemanticClass::kDust || label == SemanticClass::kRain;
 }
 
-/// The pixel of a point of the camera's optical frame.
+/// Pixel of a point in the optical frame.
 std::optional<Eigen::Vector2i> PixelOf(const Vec3& p_C_m, const CameraLens& lens) {
   const std::optional<Vec2> place_px = Project(p_C_m, lens);
   if (!place_px) return std::nullopt;
@@ -89,7 +88,7 @@ void Compare(const Pair& pair, const Image<std::uint16_t>& picture, TimeNs pictu
   }
 }
 
-/// Returns false for a damaged file, which other rules report.
+/// Returns false for a damaged file. Other rules report it.
 template <typename Read>
 bool CanRead(const Read& read) {
   try {
@@ -100,7 +99,7 @@ bool CanRead(const Read& read) {
   }
 }
 
-/// The scans in progress within kSameTime_ns of a picture.
+/// Scans with rays within kSameTime_ns of an image.
 std::vector<FrameRow> ScansAt(const std::vector<FrameRow>& scans, TimeNs picture_ns) {
   std::vector<FrameRow> found;
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -137,11 +136,11 @@ void ComparePair(LintJob* job, const Pair& pair) {
   if (agreement.agreeing >= kLeastAgreeingPoints * agreement.compared) return;
   job->Find("scans.depth", pair.lidar,
             {fmt::format("{}/{}", pair.camera, pair.folder.name), 0,
-             fmt::format("{} of {} points in {} pictures lie where the picture has them",
+             fmt::format("only {} of {} points in {} pictures have the depth of their pixel",
                          agreement.agreeing, agreement.compared, agreement.pictures)});
 }
 
-/// Returns nothing for an unsupported lens or unknown poses.
+/// Returns nullopt if the lens is not supported or poses are unknown.
 std::optional<Pair> MakePair(const LintJob& job, const std::string& camera,
                              const std::string& lidar) {
   const auto camera_sheet = job.SheetOf(camera), lidar_sheet = job.SheetOf(lidar);

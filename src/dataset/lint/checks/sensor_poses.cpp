@@ -13,10 +13,10 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Largest interval for interpolation.
+/// Longest interval for interpolation.
 constexpr TimeNs kLongestGap_ns = kNsPerSecond / 2;
 
-/// The link of a machine that is no joint's child; empty if scenario.yaml does not give it.
+/// The link that is not the child of a joint; empty if scenario.yaml does not define it.
 std::string RootOf(const LintJob& job, const std::string& machine) {
   try {
     const Config config = Config::FromFile(job.Path("scenario.yaml"));
@@ -34,7 +34,7 @@ std::string RootOf(const LintJob& job, const std::string& machine) {
       }
     }
   } catch (const InputError&) {
-    return "";  // an imported recording's scenario.yaml is a mapping, or absent
+    return "";  // the scenario.yaml of an imported recording is a mapping or absent
   }
   return "";
 }
@@ -50,7 +50,7 @@ std::vector<PoseRow> ReadPoses(const LintJob& job, const std::string& channel) {
   for (const ScannedRow& row : ReadTable(job, channel).rows) {
     const std::vector<double>& v = row.values;
     const Quat q(v[3], v[4], v[5], v[6]);
-    if (q.norm() == 0) continue;  // poses.quaternion reports it
+    if (q.norm() == 0) continue;  // reported by poses.quaternion
     PoseRow pose{row.line,
                  {row.t_ns, MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix())}};
     if (v.size() > 7) {

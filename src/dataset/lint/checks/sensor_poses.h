@@ -8,33 +8,34 @@
 
 namespace tera {
 
-/// A pose of a recording, with optional velocities.
+/// A recorded pose. Velocities are optional.
 struct PoseRow {
   int line = 0;
   TruthPose pose;
 };
 
-/// Readable rows of a channel of poses.
 std::vector<PoseRow> ReadPoses(const LintJob& job, const std::string& channel);
 
-/// A pose between two rows, by Interpolate; nothing outside the rows or in a gap of half a second.
+/// Interpolated pose. Returns nullopt outside the rows and in gaps longer than half a second.
 std::optional<Pose> PoseAt(const std::vector<PoseRow>& poses, TimeNs t_ns);
 
-/// Checks a row's position for places.far. No machine works 100 km from its origin, where the plane
-/// of east and north is 780 m above the ground.
+/// Checks a position for the rule places.far. At 100 km from the origin, the tangent plane is 780 m
+/// above the ground, so a position there is an error.
 void CheckNear(LintJob* job, const std::string& channel, int line, const Vec3& p_W_m);
 
-/// Known poses of a sensor.
+/// Poses from which the motion of a sensor is known.
 struct SensorPoses {
-  std::vector<PoseRow> poses;  ///< sensor poses; machine poses if `of_root`
-  bool of_root = false;        ///< the mount is unknown, or joints lie between it and the root
+  std::vector<PoseRow> poses;  ///< poses of the sensor, or of the machine's root link if `of_root`
+  bool of_root = false;  ///< the mount is unknown, or movable joints lie between root link and
+                         ///< sensor
 };
 
-/// Finds the poses of a sensor; nothing without poses.
+/// Finds the poses of a sensor; nullopt if there are none.
 ///
-/// Model   X_WS of truth/<machine>/sensors/<sensor>.csv; else X_WL of the link in
-///         truth/<machine>/links/ and the mount of sensor.yaml; else the machine's pose, with the
-///         mount if scenario.yaml has the link as the machine's root.
+/// Model   In order of preference: truth/<machine>/sensors/<sensor>.csv; the link's poses in
+///         truth/<machine>/links/ with the mount in sensor.yaml; the machine's poses. In the last
+///         case the mount is applied only if scenario.yaml shows that the link is the machine's
+///         root.
 std::optional<SensorPoses> FindSensorPoses(const LintJob& job, const std::string& sensor);
 
 }  // namespace tera

@@ -10,18 +10,18 @@
 namespace tera {
 namespace {
 
-/// A row is missing if the interval is nearer to two periods than to one.
+/// An interval closer to two periods than to one means that a row is missing.
 constexpr double kGapPeriods = 1.5;
-/// Real clocks are off by parts in 10^4, and the format writes rates of imports with six digits. A
-/// wrong rate or unit is off by much more.
+/// Real clocks deviate by about 1e-4, and imported rates are written with six digits. A wrong rate
+/// or unit deviates much more.
 constexpr double kRateTolerance = 0.05;
-/// A table without a stated rate is regular if this share of its intervals is within
-/// kRegularTolerance of the median. Other tables are written on changes.
+/// A table without a stated rate counts as regular if this fraction of its intervals is within
+/// kRegularTolerance of the median. Other tables have rows only at changes.
 constexpr double kRegularShare = 0.9, kRegularTolerance = 0.1;
-/// Allowed margin of a channel at both ends of the recording, in periods; the first row of a mean
-/// is one period late. For a real recording it is a share of its length.
+/// Allowed margin at both ends of a recording, in periods. The first row of an averaging sensor is
+/// one period late. For a real recording the margin is a fraction of its length.
 constexpr double kSparePeriods = 2, kSpareShare = 0.1;
-/// Fewer intervals give no rate.
+/// With fewer intervals, the rate is not checked.
 constexpr std::size_t kFewestIntervals = 4;
 
 std::vector<TimeNs> IntervalsOf(const StampScan& stamps) {
@@ -40,14 +40,14 @@ bool IsRegular(const std::vector<TimeNs>& intervals, TimeNs median_ns) {
   return static_cast<double>(near) >= kRegularShare * static_cast<double>(intervals.size());
 }
 
-/// Returns false if the stamps follow another rate than the sheet's.
+/// Returns false if the stamps have another rate than sensor.yaml.
 bool CheckRate(LintJob* job, const std::string& channel, double rate_hz, TimeNs median_ns) {
   job->Applies("stamps.rate");
   const double found_hz = 1 / ToSeconds(median_ns);
   if (std::abs(found_hz - rate_hz) <= kRateTolerance * rate_hz) return true;
   job->Find("stamps.rate", channel,
             {job->RowsOf(channel), 0,
-             fmt::format("the median interval is that of {:.4g} Hz, sensor.yaml says {:.4g} Hz",
+             fmt::format("the median interval gives {:.4g} Hz, sensor.yaml gives {:.4g} Hz",
                          found_hz, rate_hz)});
   return false;
 }
@@ -57,7 +57,7 @@ void CheckGaps(LintJob* job, const std::string& channel, const StampScan& stamps
   for (std::size_t i = 1; i < stamps.t_ns.size(); ++i) {
     const double interval_s = ToSeconds(stamps.t_ns[i] - stamps.t_ns[i - 1]);
     const bool is_behind_fault =
-        stamps.lines[i] != stamps.lines[i - 1] + 1;  // rows.* report the fault
+        stamps.lines[i] != stamps.lines[i - 1] + 1;  // follows an invalid row
     if (interval_s <= kGapPeriods * period_s || is_behind_fault) continue;
     job->Find("stamps.gap", channel,
               {job->RowsOf(channel), stamps.lines[i],
@@ -69,7 +69,7 @@ void CheckCoverage(LintJob* job, const std::string& channel, const StampScan& st
                    double period_s) {
   const DatasetInfo& info = job->recording().info();
   const double spare_s = kSparePeriods * period_s;
-  if (info.duration_s <= spare_s) return;  // too short to expect a row
+  if (info.duration_s <= spare_s) return;  // too short to require a row
   job->Applies("stamps.coverage");
   const auto find = [&](int line, const std::string& what) {
     job->Find("stamps.coverage", channel, {job->RowsOf(channel), line, what});
@@ -79,7 +79,7 @@ void CheckCoverage(LintJob* job, const std::string& channel, const StampScan& st
     return;
   }
   const double first_s = ToSeconds(stamps.t_ns.front()), last_s = ToSeconds(stamps.t_ns.back());
-  // A real recording counts from its own zero: only its span is known.
+  // Times of a real recording need not start at 0, so only the length of the span is checked.
   const double begin_s = info.simulated ? 0 : first_s;
   if (first_s < begin_s - spare_s || last_s > begin_s + info.duration_s + spare_s) {
     find(stamps.lines.back(),

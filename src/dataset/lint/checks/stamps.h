@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The stamps of one channel, in order.
+/// Time stamps of a channel, in file order.
 struct StampScan {
   std::vector<TimeNs> t_ns;
   std::vector<int> lines;
@@ -18,7 +18,7 @@ struct StampScan {
   }
 };
 
-/// Rates, gaps and coverage of one channel.
+/// Checks rate, gaps and coverage of a channel.
 void CheckStamps(LintJob* job, const std::string& channel, const StampScan& stamps);
 
 }  // namespace tera

@@ -6,7 +6,7 @@
 #include "core/types/surface_normal.h"
 #include "dataset/lint/checks/picture_set.h"
 
-// Consistency of depth, normals and flow.
+// Checks the consistency of depth, normals and flow.
 
 namespace tera {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint8_t kSky = static_cast<std::uint8_t>(SemanticClass::kSky);
 /// Depth and distance are rounded to whole millimetres.
 constexpr int kRounding_mm = 2;
-/// A depth camera's noise may put single pixels behind the surface, but not most of them.
+/// Noise of a depth camera may put some pixels behind the surface, but not most.
 constexpr double kMostBehind = 0.5;
-/// Half a step of 1/32767 on each of three axes is 2.6e-5; the shader computes in single precision.
+/// Rounding to 1/32767 on three axes causes 2.6e-5. The shader computes in single precision.
 constexpr double kNormalTolerance = 1e-4;
 constexpr std::uint16_t kLastFlowState = 3;
 
@@ -30,7 +30,7 @@ void CheckSky(LintJob* job, const PictureSet& set, std::string_view folder,
   }
   if (wrong == 0) return;
   job->Find("pictures.depth", set.camera,
-            set.In(folder, fmt::format("{} pixels of the sky are somewhere", wrong)));
+            set.In(folder, fmt::format("{} sky pixels have a depth or distance", wrong)));
 }
 
 void CheckDistance(LintJob* job, const PictureSet& set) {
@@ -44,9 +44,9 @@ void CheckDistance(LintJob* job, const PictureSet& set) {
     behind += depth > distance + kRounding_mm ? 1 : 0;
   }
   if (static_cast<double>(behind) <= kMostBehind * static_cast<double>(both)) return;
-  job->Find("pictures.depth", set.camera,
-            set.In("depth",
-                   fmt::format("{} of {} pixels are deeper than they are distant", behind, both)));
+  job->Find(
+      "pictures.depth", set.camera,
+      set.In("depth", fmt::format("{} of {} pixels have more depth than distance", behind, both)));
 }
 
 void CheckNormals(LintJob* job, const PictureSet& set) {
@@ -72,7 +72,7 @@ void CheckFlow(LintJob* job, const PictureSet& set, std::string_view folder,
   const auto moves = [](std::uint16_t value) { return value != 0; };
   if (set.is_first && std::any_of(flow.data.begin(), flow.data.end(), moves)) {
     job->Find("pictures.flow", set.camera,
-              set.In(folder, "the first picture has flow, though none is before it"));
+              set.In(folder, "the first picture has flow, but no picture precedes it"));
   }
   if (!has_states) return;
   std::int64_t wrong = 0;
@@ -80,7 +80,7 @@ void CheckFlow(LintJob* job, const PictureSet& set, std::string_view folder,
   if (wrong == 0) return;
   job->Find(
       "pictures.flow", set.camera,
-      set.In(folder, fmt::format("{} pixels have a third value beyond {}", wrong, kLastFlowState)));
+      set.In(folder, fmt::format("{} pixels have a third value above {}", wrong, kLastFlowState)));
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kSarifSchema[] =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
-/// SARIF's name for the base of paths relative to the dataset.
+/// SARIF identifier of the folder that paths are relative to.
 constexpr char kBaseId[] = "DATASET";
 
-/// Replaces invalid UTF-8, which messages may quote from a broken file.
+/// Replaces invalid UTF-8, which messages may quote from a damaged file.
 std::string Dumped(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -62,7 +62,7 @@ Json ToJson(const DatasetStatistics& statistics) {
           {"range_m", statistics.range_m}};
 }
 
-/// A relative path as a relative reference of RFC 3986.
+/// Converts a relative path to a URI reference (RFC 3986).
 std::string UriOf(const std::string& path) {
   constexpr std::string_view kPlain = "-._~/";
   std::string uri;
@@ -86,7 +86,7 @@ Json SarifRules() {
 }
 
 Json SarifResult(const LintFinding& finding, const LintPlace& place) {
-  // A finding without a file is placed in dataset.yaml.
+  // A finding without a file is reported for dataset.yaml.
   const std::string file = place.file.empty() ? "dataset.yaml" : place.file;
   Json physical = {{"artifactLocation", {{"uri", UriOf(file)}, {"uriBaseId", kBaseId}}}};
   if (place.line > 0) physical["region"] = {{"startLine", place.line}};

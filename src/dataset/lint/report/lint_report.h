@@ -4,26 +4,26 @@
 
 #include "dataset/lint/lint.h"
 
-/// Text forms of a lint.
+/// Output formats of a lint.
 
 namespace tera {
 
-/// For a terminal: findings worst first, each with its first places and its remedy, then one line
-/// on the checked data.
+/// Text for a terminal: findings, worst first, each with its first places and a remedy, followed by
+/// a line on the checked data.
 std::string LintTable(const LintReport& report);
 
-/// All rules as a Markdown table: id, severity, requirement and remedy.
+/// Markdown table of all rules: id, severity, requirement and remedy.
 std::string LintRulesTable();
 
-/// The complete report, described in docs/reference/lint.md.
+/// The complete report as JSON (docs/reference/lint.md).
 std::string LintJson(const LintReport& report);
 
-/// The report for programs that show analysers' findings in files.
+/// The report in SARIF, for programs that show findings of static analysers.
 ///
 /// Source  OASIS, "Static Analysis Results Interchange Format (SARIF) Version 2.1.0".
 std::string LintSarif(const LintReport& report);
 
-/// A self-contained page of the dataset's contents: channels, classes, ranges, and the table of
+/// A self-contained HTML page on the content of the dataset: channels, classes, ranges and
 /// findings.
 std::string LintStatisticsPage(const LintReport& report);
 

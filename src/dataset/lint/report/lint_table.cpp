@@ -28,7 +28,7 @@ std::string Counted(std::int64_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// "3 channels, 120 rows, 6 pictures".
+/// Text such as "3 channels, 120 rows, 6 pictures".
 std::string LookedAt(const DatasetStatistics& statistics) {
   std::int64_t rows = 0;
   for (const auto& [path, channel] : statistics.channels) rows += channel.rows;
@@ -61,8 +61,7 @@ std::string LintTable(const LintReport& report) {
 }
 
 std::string LintRulesTable() {
-  std::string text =
-      "| rule | severity | what must hold | where it does not |\n| --- | --- | --- | --- |\n";
+  std::string text = "| rule | severity | requirement | remedy |\n| --- | --- | --- | --- |\n";
   for (const LintRule& rule : kLintRules) {
     fmt::format_to(std::back_inserter(text), "| `{}` | {} | {} | {} |\n", rule.id,
                    NameOf(rule.severity), rule.text, rule.remedy);

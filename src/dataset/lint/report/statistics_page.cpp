@@ -18,7 +18,7 @@ th:first-child,td:first-child{text-align:left}
 .bar{display:inline-block;height:.7em;background:#1769aa}
 </style>)";
 
-/// A table with escaped cells.
+/// An HTML table. Cells are escaped.
 class HtmlTable {
  public:
   explicit HtmlTable(const std::vector<std::string>& head) : html_("<table>\n") {

@@ -8,11 +8,12 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSpread = 0.05;  ///< of the range of values: less is no contrast
-constexpr double kWindowShare = 0.05;  ///< of the width: the window of mean and spread
+constexpr double kLeastSpread =
+    0.05;  ///< c in PictureLevels, on a scale of 0 to 1: less is no contrast
+constexpr double kWindowShare = 0.05;  ///< window for mean and variance, over the picture's width
 
-/// Moving average of `count` values that are `stride` apart. Each is the mean of a value and its
-/// `reach` neighbours to either side; the first and last value are repeated beyond the ends.
+/// Moving average of `count` values at a distance of `stride`. Each result is the mean of a value
+/// and `reach` neighbours on either side. The first and last values are repeated beyond the ends.
 void SlideMean(const float* from, float* to, int count, int stride, int reach) {
   const auto at = [&](int i) { return from[std::clamp(i, 0, count - 1) * stride]; };
   double sum = 0;
@@ -23,7 +24,7 @@ void SlideMean(const float* from, float* to, int count, int stride, int reach) {
   }
 }
 
-/// Less the mean and over the spread of brightness about each pixel.
+/// Brightness minus its local mean, divided by its local spread.
 Image<float> WithoutExposure(const Image<float>& grey) {
   const double window_px = kWindowShare * grey.width_px;
   const Image<float> mean = Blurred(grey, window_px);
@@ -44,7 +45,7 @@ Image<float> WithoutExposure(const Image<float>& grey) {
 }  // namespace
 
 Image<float> Blurred(const Image<float>& picture, double sigma_px) {
-  // Three windows of 2 r + 1 have the variance r (r + 1).
+  // Three windows of width 2 r + 1 have the total variance r (r + 1).
   const int reach = std::max(
       1, static_cast<int>(std::lround(0.5 * (std::sqrt(1 + 4 * sigma_px * sigma_px) - 1))));
   Image<float> from = picture, to(picture.width_px, picture.height_px);
@@ -94,19 +95,20 @@ bool PictureLevels::Holds(const Vec2& px) const {
 
 namespace {
 
-constexpr double kSquareShare = 1.0 / 30;  ///< of the width: the side of a square
-constexpr double kBorderShare = 0.02;      ///< of the width: a margin without landmarks
-constexpr double kLeastGradient = 0.08;    ///< a pixel, of brightness over its spread
-constexpr double kLeastEdge = 1e-3;        ///< a pixel: least divisor of a residual
-/// Standard deviations of brightness over its spread, of an edge's place, and of a shift of the
-/// camera at each level.
+constexpr double kSquareShare = 1.0 / 30;  ///< side of a square, over the picture's width
+constexpr double kBorderShare = 0.02;      ///< margin without landmarks, over the picture's width
+constexpr double kLeastGradient = 0.08;    ///< per pixel, of normalised brightness
+constexpr double kLeastEdge = 1e-3;        ///< least divisor of a residual, per pixel
+/// Standard deviations of normalised brightness, of an edge's position, and of a camera shift at
+/// each level.
 constexpr double kBrightnessSigma = 0.1, kPlaceSigma_px = 0.2;
 constexpr double kShiftSigma_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
-constexpr double kDifference_m = 1e-5;  ///< of a difference quotient of the lens
-constexpr double kNearest_m = 0.05;     ///< least depth that the camera can see
-constexpr double kSideOfEdge_px = 1.5;  ///< from its middle, which is grey in every picture
+constexpr double kDifference_m = 1e-5;  ///< step for derivatives of the projection
+constexpr double kNearest_m = 0.05;     ///< least depth at which the camera sees
+constexpr double kSideOfEdge_px =
+    1.5;  ///< off the edge's centre, where the brightness is the same in every picture
 
-/// The nearest depth of a pixel and its neighbours; 0 where there is none.
+/// Nearest depth among a pixel and its eight neighbours; 0 if none has a depth.
 double ForegroundDepth_m(const Image<float>& depth_m, int x, int y) {
   double nearest_m = 0;
   for (int b = y - 1; b <= y + 1; ++b) {
@@ -118,8 +120,8 @@ double ForegroundDepth_m(const Image<float>& depth_m, int x, int y) {
   return nearest_m;
 }
 
-/// The surface of a pixel, a machine or an obstacle before the ground among its neighbours; nothing
-/// where one of these is not comparable.
+/// Surface of a pixel. A machine or an obstacle among its neighbours takes precedence over ground.
+/// Returns nothing if one of them is not comparable.
 std::optional<Surface> SurfaceAt(const SimulatedPicture& picture, int x, int y) {
   Surface found = Surface::kGround;
   for (int b = y - 1; b <= y + 1; ++b) {
@@ -132,7 +134,7 @@ std::optional<Surface> SurfaceAt(const SimulatedPicture& picture, int x, int y) 
   return found;
 }
 
-/// The pixel of a square where brightness changes most; nothing where it hardly changes.
+/// Pixel of a square with the steepest brightness. Returns nothing if it is too flat.
 std::optional<Vec2> SteepestIn(const PictureLevels& levels, int level, int left, int top,
                                int size) {
   std::optional<Vec2> px;
@@ -232,11 +234,11 @@ std::optional<PictureRegistration::Projection> PictureRegistration::Project(
   const Eigen::Matrix<double, 2, 3> by_B = by_C * X_CT.linear() * R_TB;
   projection.by_calibration.middleCols<3>(kShiftOfMount) = -by_B;
   for (int a = 0; a < 3; ++a) {
-    // A camera that turns one way sees the point turn the other way.
+    // A rotation of the camera moves the point in the opposite direction.
     projection.by_calibration.col(kTurnOfMount + a) = by_B * r_B_m.cross(Vec3::Unit(a));
   }
   if (!moves_along) {
-    // A clock that is ahead writes the time of a picture that was taken earlier.
+    // A clock that is ahead stamps a picture with a time after its exposure.
     const Vec3 v_W_mps =
         link.v_WB_mps + link.w_WB_radps.cross(landmark.p_m - link.X_WB.translation());
     projection.by_calibration.col(kClockOffset) = by_B * (link.X_WB.linear().transpose() * v_W_mps);

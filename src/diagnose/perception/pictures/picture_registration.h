@@ -15,33 +15,30 @@
 #include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 
-/// Pictures of a recorded colour camera, and their simulation.
-
 namespace tera {
 
-/// Pictures of one camera with their simulation.
+/// Pictures of one colour camera and their simulation.
 ///
-/// Frames  W; B the camera's link; S the sensor as documented; C optical.
+/// Frames  W world; B the camera's link; S the sensor as documented; C the optical frame.
 struct PictureSource {
   std::string channel;  ///< "excavator1/camera_mast"
   std::string target;   ///< the camera's name in the scenario
   EffectTarget kind = EffectTarget::kCamera;
   Pose X_BS = Pose::Identity();
   Pose X_SC = Pose::Identity();
-  Effects present;  ///< of the camera, as the scenario has them
+  Effects present;  ///< effects on the camera in the scenario
   std::vector<TimeNs> t_ns;
-  std::vector<Image<float>> grey;  ///< measured, 0 to 1
-  /// The picture of a frame under a possible calibration of the camera; nothing if the camera's
-  /// pose at that time is unknown.
+  std::vector<Image<float>> grey;  ///< measured pictures, 0 to 1
+  /// Renders a frame under the given calibration. Returns nothing if the camera's pose at that time
+  /// is unknown.
   std::function<std::optional<SimulatedPicture>(std::size_t frame,
                                                 const SensorCalibration& calibration)>
       render;
-  /// Motion of the link at the frame's true time.
+  /// Motion of the camera's link at the frame's true time.
   std::function<std::optional<BodyState>(std::size_t frame, const SensorCalibration& calibration)>
       link_at;
-  std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point in front of the
-                                                           ///< camera
-  std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
+  std::function<Vec2(const Vec3& p_C_m)> project;  ///< pixel of a point in front of the camera
+  std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< direction (x, y, 1) of a pixel, in C
 
   /// The scenario's calibration.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
@@ -49,74 +46,74 @@ struct PictureSource {
 
 /// A picture with normalised exposure, at several levels of blur.
 ///
-/// Model   (I - m) / sqrt(v + c^2). m and v are mean and variance of a window about each pixel, a
-///         twentieth of the picture's width; c = 0.05. Gain, offset and vignetting cancel, and
-///         noise in uniform areas stays small. Level k is this, blurred by 2^k pixels.
+/// Model   Each pixel becomes (I - m) / sqrt(v + c^2), with c = 0.05. The mean m and the variance v
+///         are taken over a window about the pixel. The window is a twentieth of the picture's
+///         width. This cancels gain, offset and vignetting, and keeps noise in uniform areas small.
+///         Level k is blurred by 2^k pixels.
 class PictureLevels {
  public:
   static constexpr int kCount = 4;
-  static constexpr int kSmallest_px = 32;  ///< either side: four of the widest blur's
-  /// `grey` is not smaller either way.
+  static constexpr int kSmallest_px = 32;  ///< least width and height: four times the widest blur
+  /// Requires a width and a height of at least kSmallest_px.
   explicit PictureLevels(const Image<float>& grey);
 
-  /// Brightness at a point, interpolated between pixels; beyond the border as at the border.
+  /// Bilinear brightness at a point. Points beyond the border take the value at the border.
   float At(int level, const Vec2& px) const;
-  /// Gradient of the interpolated picture, by central differences over a pixel.
+  /// Gradient of the bilinear picture, by central differences over one pixel to either side.
   Vec2 GradientAt(int level, const Vec2& px) const;
-  /// Whether At and GradientAt use true pixels there, and not the repeated border.
+  /// True if At and GradientAt use only pixels inside the picture at this point.
   bool Holds(const Vec2& px) const;
 
  private:
   std::array<Image<float>, kCount> levels_;
 };
 
-/// Blurred by an approximate normal distribution of `sigma_px`: three moving averages, with the
-/// border repeated.
+/// Gaussian blur, approximated by three moving averages. The border is repeated.
 Image<float> Blurred(const Image<float>& picture, double sigma_px);
 
-/// Edges of simulated pictures, and their distances from the same edges in measured pictures.
+/// Landmarks on edges of simulated pictures, and their residuals in the measured pictures.
 ///
 /// Frames  W, B, S, C as in PictureSource; T the camera under a calibration.
-/// Model   each square of a thirtieth of the picture's width has a landmark for each level of blur,
-///         at the pixel with the steepest brightness. A landmark is the point in space seen there.
-///         It has the nearest depth of its nine neighbours, since an edge belongs to the
-///         foreground. Under another calibration it moves in the measured picture. Its residual, in
-///         pixels, is the difference of brightness there over the simulated slope; its derivatives
-///         use the mean of both slopes. Brightness is that of PictureLevels.
-///         Noise: 0.1 over the slope; 0.2 pixels; in blurred pictures also a shift of the camera by
-///         up to 0.1 m, since near parts soon leave the blur's reach. Landmarks beyond the measured
-///         picture's border are not judged.
-/// Omits   parts that appear or are occluded as the camera moves; moving shadows.
+/// Model   Each simulated picture is divided into squares of a thirtieth of its width. A square has
+///         one landmark per level of blur, at its pixel with the steepest brightness. The landmark
+///         is the 3D point seen there. Its depth is the nearest among the pixel and its eight
+///         neighbours, because an edge belongs to the foreground.
+///         A calibration projects the landmark into the measured picture. The residual, in pixels,
+///         is the brightness difference there divided by the simulated slope. Its derivatives use
+///         the mean of the simulated and measured slopes. Brightness is that of PictureLevels.
+///         Noise has three parts: 0.1 of brightness divided by the slope; 0.2 pixels; on blurred
+///         levels also the parallax of a camera shift of up to 0.1 m. Landmarks outside the
+///         measured picture are not judged.
+/// Omits   Parts that appear or are occluded as the camera moves; moving shadows.
 /// Source  Lucas and Kanade 1981; Engel, Koltun and Cremers 2018, "Direct sparse odometry"; mean of
 ///         slopes: Benhimane and Malis 2004.
 class PictureRegistration {
  public:
-  /// Renders every picture under `calibration`. Keeps a reference to the source.
+  /// Renders every picture under `calibration`. Keeps a reference to `source`.
   PictureRegistration(const PictureSource& source, const SensorCalibration& calibration);
 
-  /// Landmarks of the frames of some parts.
+  /// Landmarks of all frames in the given parts.
   std::vector<ScanPoints> PointsOf(const ScanSplit& split, const std::vector<Part>& parts) const;
-  /// Residuals under another calibration, at a level of PictureLevels.
+  /// Residuals of landmarks under a calibration, at one level of PictureLevels.
   std::vector<PointResidual> ResidualsOf(const std::vector<ScanPoints>& points,
                                          const SensorCalibration& calibration, int level) const;
-  /// Coefficient of correlation of measured with simulated brightness at the landmarks.
+  /// Correlation coefficient of measured and simulated brightness to either side of the landmarks.
   double Correlation(const std::vector<ScanPoints>& points,
                      const SensorCalibration& calibration) const;
-  double MeanLandmarks() const;  ///< of a frame
+  double MeanLandmarks() const;  ///< per frame
 
  private:
   struct Landmark {
-    Vec3 p_m = Vec3::Zero();  ///< in W, or in B where it is a part of the machine
+    Vec3 p_m = Vec3::Zero();  ///< in W; in B for a point on the machine
     Surface surface = Surface::kGround;
     float value = 0;               ///< simulated brightness
-    Vec2 gradient = Vec2::Zero();  ///< of it, a pixel
+    Vec2 gradient = Vec2::Zero();  ///< of the simulated brightness, per pixel
   };
-  /// Landmarks of one square of a picture, one for each level.
+  /// Landmarks of one square of a picture, one per level.
   using Square = std::array<std::optional<Landmark>, PictureLevels::kCount>;
-  /// Where a landmark is in the measured picture.
+  /// Position of a landmark in the measured picture.
   struct Projection {
     Vec2 px = Vec2::Zero();
-    /// Derivatives of `px`.
     Eigen::Matrix<double, 2, kCalibrationElements> by_calibration =
         Eigen::Matrix<double, 2, kCalibrationElements>::Zero();
   };
@@ -124,13 +121,13 @@ class PictureRegistration {
                     const SensorCalibration& calibration);
   std::optional<Landmark> LandmarkAt(const SimulatedPicture& simulated, const BodyState& link,
                                      const SensorCalibration& calibration, const Vec2& px) const;
-  /// Nothing where the landmark is not before the camera.
+  /// Returns nothing if the landmark is not in front of the camera.
   std::optional<Projection> Project(const Landmark& landmark, const BodyState& link,
                                     const SensorCalibration& calibration) const;
 
   const PictureSource& source_;
   std::vector<PictureLevels> measured_;
-  std::vector<std::vector<Square>> squares_;  ///< of each frame, those with a landmark at level 0
+  std::vector<std::vector<Square>> squares_;  ///< per frame: squares with a landmark at level 0
 };
 
 }  // namespace tera

@@ -15,11 +15,11 @@ namespace tera {
 namespace {
 
 constexpr TimeNs kShortestBlock_ns = 1'000'000'000;
-constexpr TimeNs kMostBlocks = 40;  ///< of a recording that is longer than so many shortest ones
-/// Blocks of a round, among which the shares of the parts are exact.
+constexpr TimeNs kMostBlocks = 40;  ///< longer recordings have longer blocks
+/// Number of blocks in a round. Each round has the exact shares of TRAIN, SELECT and FINAL.
 constexpr std::size_t kBlocksOfRound = 10;
 
-/// Parts of ten blocks in a row, in an order of their own.
+/// Parts of one round's blocks, in random order.
 std::array<Part, kBlocksOfRound> PartsOfRound(const Stream& stream, std::size_t round) {
   using enum Part;
   std::array<Part, kBlocksOfRound> parts = {kTrain,  kTrain,  kTrain, kTrain, kSelect,
@@ -41,7 +41,7 @@ ScanSplit SplitScans(const std::vector<TimeNs>& t_ns, const Stream& stream) {
   TimeNs last = -1;
   for (const TimeNs t : t_ns) {
     const TimeNs at = (t - first_ns) / length_ns;
-    // Counted without the empty ones, so that shares are of blocks that have scans.
+    // Blocks without scans are not counted, so that the shares refer to blocks with scans.
     if (at != last) ++split.blocks;
     last = at;
     const std::size_t block = split.blocks - 1;
@@ -53,10 +53,10 @@ ScanSplit SplitScans(const std::vector<TimeNs>& t_ns, const Stream& stream) {
 
 namespace {
 
-/// Half the width of a difference quotient, of a parameter's range: microradians of an angle.
+/// Step of the central difference, relative to a parameter's range. For angles: microradians.
 constexpr double kDifference = 1e-7;
 
-/// The small change that leads from one calibration to another.
+/// Small change from one calibration to another.
 CalibrationVector ChangeBetween(const SensorCalibration& from, const SensorCalibration& to) {
   CalibrationVector change;
   change.segment<3>(kShiftOfMount) = to.X_BT.translation() - from.X_BT.translation();
@@ -94,10 +94,11 @@ CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const S
 namespace {
 
 constexpr double kDegreesOfFreedom = 4;
-constexpr double kFurthest = 30;     ///< sigmas: a point further away is no further evidence
-constexpr double kLeastScale = 0.2;  ///< noise cannot be far below that of the sensor's model
+constexpr double kFurthest = 30;     ///< standard deviations: points further away add no evidence
+constexpr double kLeastScale = 0.2;  ///< actual noise is not far below the sensor's noise model
 constexpr double kInlierShare = 0.95;
-constexpr double kSigmaOfMad = 1.4826;  ///< of normal noise, over its median absolute deviation
+constexpr double kSigmaOfMad =
+    1.4826;  ///< ratio of standard deviation to median absolute deviation of normal noise
 
 }  // namespace
 
@@ -148,11 +149,10 @@ double RobustWeightOf(const PointResidual& residual, double scale) {
 
 namespace {
 
-/// Where a clock is looked for.
+/// Starting values of the clock search.
 constexpr double kClockOffsets_s[] = {0.1, -0.1, 0.3, -0.3, 1, -1, 3, -3, 18, -18};
 
-/// How far a sensor that was installed with care may be off: standard deviation of a parameter,
-/// which its unit tells.
+/// Standard deviation of a mounting error after careful installation, by unit of the parameter.
 double PriorSigmaOf(std::string_view unit) {
   if (unit == "m") return 0.3;
   if (unit == "deg") return 5;

@@ -18,25 +18,26 @@
 
 namespace tera {
 
-/// Split of a recording's scans or pictures by blocks of time.
+/// Assigns scans or pictures to the parts TRAIN, SELECT and FINAL, by blocks of time.
 ///
-/// Model   blocks of a second, or of a fortieth of the recording if that is longer. Each ten in a
-///         row have four of TRAIN, three of SELECT and three of FINAL, in random order.
-/// Omits   pose noise that lasts longer than a block, which counts as error.
+/// Model   A block lasts one second, or a fortieth of the recording if that is longer. Ten
+///         consecutive blocks form a round: four for TRAIN, three for SELECT and three for FINAL,
+///         in random order.
+/// Omits   Pose noise that lasts longer than a block. It counts as a sensor error.
 struct ScanSplit {
-  std::vector<std::size_t> block;  ///< of each scan; empty blocks are not counted
-  std::vector<Part> part;          ///< of each scan
+  std::vector<std::size_t> block;  ///< block of each scan; blocks without scans are not counted
+  std::vector<Part> part;          ///< part of each scan
   std::size_t blocks = 0;
 };
 
-/// `t_ns` of the scans, ascending.
+/// `t_ns`: times of the scans, ascending.
 ScanSplit SplitScans(const std::vector<TimeNs>& t_ns, const Stream& stream);
 
-/// Fewest blocks with scans for judging a sensor: three of them are FINAL.
+/// A sensor with fewer blocks is not judged. Ten blocks contain three for FINAL.
 inline constexpr std::size_t kFewestBlocks = 10;
 
-/// Elements of a small change of a calibration: p_BT in B, a rotation vector of T in B's axes in
-/// radians, and the three scalar parameters.
+/// Elements of a small change of a calibration: the mount's position p_BT in B, in metres; the
+/// mount's rotation vector in the axes of B, in radians; range bias, range factor and clock offset.
 enum CalibrationElement {
   kShiftOfMount = 0,
   kTurnOfMount = 3,
@@ -47,23 +48,23 @@ enum CalibrationElement {
 };
 using CalibrationVector = Eigen::Matrix<double, kCalibrationElements, 1>;
 using CalibrationMatrix = Eigen::Matrix<double, kCalibrationElements, kCalibrationElements>;
-/// One row for each element, one column for each free parameter.
+/// Rows are elements of the calibration, columns are free parameters.
 using CalibrationJacobian = Eigen::Matrix<double, kCalibrationElements, Eigen::Dynamic>;
 
-/// Derivatives of the calibration by the terms' free parameters, in their order, by central
-/// differences. Each term replaces the scenario's effect of the same mechanism in `present`. `X_BS`
-/// is the documented mount.
+/// Derivatives of the calibration with respect to the free parameters of `terms`, by central
+/// differences. A term replaces the effect of its mechanism in `present`. `X_BS` is the documented
+/// mount.
 CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const Structure& terms);
 
-/// Residual of one measured point against the simulation, under one calibration: in metres, or for
-/// pictures in pixels.
+/// Residual of one measured point against the simulation under a calibration. Unit: metres for
+/// ranges, pixels for pictures.
 struct PointResidual {
   std::size_t scan = 0;
-  Surface surface = Surface::kUnknown;  ///< surface that the point is associated with
-  double distance = 0;  ///< from the simulated surface or edge to the point, along its normal,
-                        ///< positive behind it
-  double sigma = 1;     ///< of `distance`, by the model of noise
-  bool out_of_picture = false;  ///< beyond the border: not judged, and no evidence either way
+  Surface surface = Surface::kUnknown;  ///< simulated surface to which the point is associated
+  double distance = 0;  ///< along the surface normal, positive behind the simulated surface or edge
+  double sigma = 1;     ///< standard deviation of `distance` in the noise model
+  bool out_of_picture =
+      false;  ///< beyond the picture's border: not judged, and ignored in gains of likelihood
   CalibrationVector by_calibration = CalibrationVector::Zero();  ///< derivatives of `distance`
 
   bool is_judged() const { return IsComparable(surface); }
@@ -75,55 +76,58 @@ struct ScanPoints {
   std::vector<std::size_t> points;
 };
 
-/// Log-density of Student's t of 4 degrees of freedom at a distance over its standard deviation,
-/// minus that at 0; constant beyond 30 standard deviations.
+/// Log-density of Student's t with 4 degrees of freedom, relative to its value at 0. The argument
+/// is a distance in standard deviations. The function is constant beyond 30.
 double LogDensityAt(double distance_over_sigma);
 
-/// Log-likelihood of a point under noise of `scale` times its sigma, minus that of a distance of 0.
-/// It is bounded: a ray to another object costs 13, and so does an unjudged point.
+/// Log-likelihood of a residual relative to a distance of 0. The noise is `scale` times the
+/// residual's sigma. The loss is bounded by 13 (LogDensityAt at 30); unjudged points get this
+/// bound.
 double LogLikelihoodOf(const PointResidual& residual, double scale);
 double LogLikelihoodOf(const std::vector<PointResidual>& residuals, double scale);
 
-/// Robust standard deviation of distances over their sigma, for judged points.
+/// Robust ratio of actual noise to modelled noise: the normalised median of |distance| / sigma over
+/// judged points.
 double ScaleOf(const std::vector<PointResidual>& residuals);
 
-/// Root mean square of the smallest 95 % of the judged distances; the rest count as outliers.
+/// Root mean square of the smallest 95 % of judged distances. The rest count as outliers.
 double TrimmedRmse(const std::vector<PointResidual>& residuals);
 
-/// Weight of a point in least squares, of Student's t of the same degrees of freedom.
+/// Weight of a point in iteratively reweighted least squares, for the same Student's t.
 double RobustWeightOf(const PointResidual& residual, double scale);
 
-/// The compared kind of data of a sensor.
+/// Kind of data by which a sensor is compared.
 enum class ComparedBy { kRanges, kPictures };
 
-/// Candidate effects on a whole perception sensor: `extrinsic` and `clock_offset` of the sensors'
-/// table (sensors/sensor_mechanisms.h); for ranges also `range_bias` and `scale`, if the kind has
-/// them. Parameter ranges are those of the table, and all parameters are free.
+/// Candidate effects on a lidar or camera: `extrinsic` and `clock_offset`. For ranges, `range_bias`
+/// and `scale` are added if the kind of sensor has them. Mechanisms and parameter ranges are from
+/// sensors/sensor_mechanisms.h; all parameters are free.
 ///
-/// Model   priors by unit: 0.3 m, 5 deg, 5 per cent, 1 s. Clock offsets are searched up to 3 s, and
-///         around the 18 s between GPS time and UTC, in either direction.
-/// Omits   errors of single beams or pixels, drift, rolling shutter.
+/// Model   Prior standard deviations by unit: 0.3 m, 5 deg, 5 per cent, 1 s. Starting values of the
+///         clock offset reach 3 s in either direction. They also include +-18 s, the difference
+///         between GPS time and UTC.
+/// Omits   Errors of single beams or pixels, drift, rolling shutter.
 std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
                                     const std::string& sensor, const Effects& present);
 
-/// One sensor's recording and simulation, as input to the search for effects on the sensor. It
-/// corresponds to ReplayBlock (search/fit/replay_block.h) of channels on one grid. Points are
-/// associated anew with simulated surfaces or edges whenever the sensor moves. The number of judged
-/// points and their associations therefore depend on the terms, and each point has its own noise.
+/// Input to the search for effects on one sensor. It corresponds to ReplayBlock
+/// (search/fit/replay_block.h), which is the input for channels on a time grid. Each new
+/// calibration re-associates points with simulated surfaces or edges. Therefore the number of
+/// judged points depends on the terms. Each point has its own noise.
 ///
 /// Frames  B link, S sensor as documented.
 struct RegistrationBlock {
   Pose X_BS = Pose::Identity();
-  Effects present;                    ///< of the sensor, as the scenario has them
-  std::vector<Candidate> candidates;  ///< possible effects on it
-  /// Residuals of points under a calibration. Level 0 has full resolution. Each further level, up
-  /// to `coarsest`, covers twice the distance with less detail.
+  Effects present;  ///< effects on the sensor in the scenario
+  std::vector<Candidate> candidates;
+  /// Residuals of points under a calibration. Level 0 has full resolution. Each next level, up to
+  /// `coarsest`, doubles the range of convergence and has less detail.
   std::function<std::vector<PointResidual>(const std::vector<ScanPoints>& points,
                                            const SensorCalibration& calibration, int level)>
       residuals;
   int coarsest = 0;
 
-  /// The calibration in which each term replaces the scenario's effect of its mechanism.
+  /// The calibration with `terms`. A term replaces the scenario's effect of its mechanism.
   SensorCalibration Under(const Structure& terms) const {
     return CalibrationUnder(X_BS, WithTerms(present, terms));
   }

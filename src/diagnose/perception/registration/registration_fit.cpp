@@ -12,14 +12,13 @@ namespace tera {
 namespace {
 
 constexpr int kFineRounds = 9, kCoarseRounds = 4;
-constexpr int kTurnsAlone = 3;           ///< from this level on, the mount's place and ranges stay
-constexpr double kFirstScaleRatio = 2;   ///< of the scale to begin with to the robust one
-constexpr double kNarrowing = 0.4;       ///< of the scale, from one round to the next
-constexpr double kConverged = 1e-3;      ///< of the prior's deviation: so short a step is the last
-constexpr double kLargestStep = 1;       ///< likewise
-constexpr std::size_t kFewestScans = 5;  ///< whose scores have a scatter
+constexpr int kTurnsAlone = 3;  ///< from this level up, mount position and range errors stay fixed
+constexpr double kFirstScaleRatio = 2;  ///< initial scale over robust scale
+constexpr double kNarrowing = 0.4;      ///< ratio of scales of consecutive rounds
+constexpr double kConverged = 1e-3;  ///< longest step at convergence, in prior standard deviations
+constexpr double kLargestStep = 1;   ///< in prior standard deviations
+constexpr std::size_t kFewestScans = 5;  ///< needed for a scatter of scores
 
-/// A free parameter and the term that it is of.
 struct TermParameter {
   std::size_t term;
   FreeParameter free;
@@ -33,7 +32,7 @@ std::vector<TermParameter> FreeOf(const Structure& terms) {
   return parameters;
 }
 
-/// Weighted least squares of one round, in elements of the calibration.
+/// Normal equations of one round, for the elements of the calibration.
 struct NormalEquations {
   CalibrationMatrix information = CalibrationMatrix::Zero();
   CalibrationVector score = CalibrationVector::Zero();
@@ -54,7 +53,7 @@ NormalEquations EquationsOf(const std::vector<PointResidual>& residuals, double 
   return equations;
 }
 
-/// Precision of the priors, on the diagonal.
+/// Diagonal information matrix of the priors.
 Eigen::MatrixXd PriorInformation(const std::vector<TermParameter>& parameters) {
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -63,14 +62,14 @@ Eigen::MatrixXd PriorInformation(const std::vector<TermParameter>& parameters) {
   return diagonal.asDiagonal();
 }
 
-/// Whether a parameter turns the sensor or sets its clock and does nothing else.
+/// True if a parameter changes only the sensor's rotation or clock.
 bool TurnsAlone(const CalibrationVector& derivative) {
   return derivative.segment<3>(kShiftOfMount).isZero() && derivative[kRangeBias] == 0 &&
          derivative[kRangeFactor] == 0;
 }
 
-/// One Gauss-Newton step from the values of `terms`, with priors about `start`. Returns its length
-/// before it is shortened, in standard deviations of the prior.
+/// One Gauss-Newton step from the values of `terms`, with priors about `start`. Returns the step's
+/// length before shortening, in prior standard deviations.
 double Step(const NormalEquations& equations, CalibrationJacobian jacobian, bool turns_alone,
             const Structure& start, Structure* terms) {
   const std::vector<TermParameter> parameters = FreeOf(*terms);
@@ -82,7 +81,7 @@ double Step(const NormalEquations& equations, CalibrationJacobian jacobian, bool
     const auto column = static_cast<Eigen::Index>(p);
     away[column] = (*terms)[term].values[free.index] - start[term].values[free.index];
     if (!turns_alone || TurnsAlone(jacobian.col(column))) continue;
-    // Without a derivative and at its start a parameter does not move.
+    // A zero derivative and a zero offset from the prior keep the parameter fixed.
     jacobian.col(column).setZero();
     away[column] = 0;
   }
@@ -105,7 +104,7 @@ double Step(const NormalEquations& equations, CalibrationJacobian jacobian, bool
   return length;
 }
 
-/// Sum of the outer products of scans' scores about their mean.
+/// Sum over scans of the outer products of the centred scores.
 CalibrationMatrix ScatterOf(const NormalEquations& equations) {
   CalibrationMatrix scatter = CalibrationMatrix::Zero();
   const auto scans = static_cast<double>(equations.score_of_scan.size());
@@ -137,7 +136,7 @@ void SetPrecision(const NormalEquations& equations, const CalibrationJacobian& j
   }
 }
 
-/// All free parameters, whether or not the points determine them.
+/// Fits all free parameters, including those that the points do not determine.
 RegistrationFit FitAllFree(const RegistrationBlock& block, const std::vector<ScanPoints>& points,
                            const Structure& start, double scale) {
   RegistrationFit fit{start, {}};
@@ -168,12 +167,12 @@ RegistrationFit FitAllFree(const RegistrationBlock& block, const std::vector<Sca
   return fit;
 }
 
-/// The parameter's value in the scenario, or that with which its mechanism does nothing.
+/// Value in the scenario, or the value at which the mechanism has no effect.
 double ValueWithout(const Candidate& candidate, std::size_t index) {
   return DefaultOf(candidate, index).value_or(candidate.starts.front()[index]);
 }
 
-/// The terms with the undetermined parameters of a fit put back and held.
+/// Resets and holds the parameters that a fit left undetermined.
 Structure WithoutUndetermined(Structure start, const RegistrationFit& fit) {
   for (std::size_t t = 0; t < start.size(); ++t) {
     Term& term = start[t];

@@ -11,9 +11,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastReduction = 0.02;  ///< of the error, by a term
+constexpr double kLeastReduction = 0.02;  ///< least relative reduction of the error by a term
 
-/// Candidates by index, ascending.
+/// Ascending indices of candidates.
 using Subset = std::vector<std::size_t>;
 
 bool Has(const Subset& subset, std::size_t candidate) {
@@ -30,7 +30,7 @@ Subset Less(Subset subset, std::size_t candidate) {
   return subset;
 }
 
-/// A structure that was fitted to TRAIN, judged on SELECT.
+/// A structure fitted to TRAIN, with its residuals on SELECT.
 struct Judged {
   Structure terms;
   std::vector<PointResidual> residuals;
@@ -53,7 +53,7 @@ class Search {
   }
 
  private:
-  /// The terms of a subset at the values where fits of them begin.
+  /// Terms of a subset at their starting values.
   Structure StartOf(const Subset& subset) const {
     Structure terms;
     for (const std::size_t c : subset) terms.push_back(starts_[c]);
@@ -71,8 +71,8 @@ class Search {
     return block_.residuals(points, block_.Under(terms), level);
   }
 
-  /// Starts at the given values, or those of the scenario. A candidate's likeliest start replaces
-  /// them where it makes half of TRAIN likelier at the coarsest level.
+  /// Sets each candidate's starting values: from `given`, or from the scenario. The candidate's own
+  /// starts replace them if they are likelier, on every other scan of TRAIN at the coarsest level.
   void SetStarts(const Structure& given) {
     for (const Candidate& candidate : block_.candidates) {
       Term term{&candidate,
@@ -101,7 +101,7 @@ class Search {
     }
   }
 
-  /// Whether a term changes the distance of any point: a clock does not where nothing moves.
+  /// True if a term changes any residual. A clock offset changes none if nothing moves.
   bool ChangesAny(const std::vector<PointResidual>& residuals, const Term& term) const {
     const CalibrationJacobian jacobian = JacobianOf(block_.X_BS, block_.present, {term});
     return std::any_of(residuals.begin(), residuals.end(), [&](const PointResidual& residual) {
@@ -119,8 +119,8 @@ class Search {
     AddDetectability(left, fit, result);
   }
 
-  /// Adds the detectable error of each parameter. It raises the mean square of distances over their
-  /// noise by as much as a term must remove.
+  /// Adds the detectable deviation of each parameter. Such a deviation raises the mean square
+  /// residual as much as a term must reduce it (kLeastReduction).
   void AddDetectability(const std::vector<PointResidual>& left, const RegistrationFit& all,
                         RegistrationSearch* result) const {
     CalibrationMatrix information = CalibrationMatrix::Zero();
@@ -159,7 +159,7 @@ class Search {
     return on_select_.emplace(subset, std::move(judged)).first->second;
   }
 
-  /// Gains of the second over the first, one a block of time.
+  /// Gains in log-likelihood of `after` over `before`, one per block of time.
   std::vector<ManoeuvreGain> GainsOf(const std::vector<PointResidual>& before,
                                      const std::vector<PointResidual>& after) const {
     std::map<std::size_t, ManoeuvreGain> gains;
@@ -181,22 +181,22 @@ class Search {
     return SteadyGainP(GainsOf(before, after));
   }
 
-  /// p-value of the gain of `more` over `less` on SELECT, times the number of candidates that are
-  /// tested (Bonferroni).
+  /// p-value of the gain of `more` over `less` on SELECT, with Bonferroni's correction over the
+  /// candidates.
   double ChosenP(const Subset& less, const Subset& more) {
     const double p = GainP(OnSelect(less).residuals, OnSelect(more).residuals);
     return std::min(1.0, p * static_cast<double>(block_.candidates.size()));
   }
 
-  /// Whether `more` is steadily and noticeably better than `less`.
+  /// True if `more` has a steady gain over `less` and a noticeably smaller error.
   bool IsBetter(const Subset& less, const Subset& more) {
     if (ChosenP(less, more) > options_.alpha) return false;
     return TrimmedRmse(OnSelect(more).residuals) <=
            (1 - kLeastReduction) * TrimmedRmse(OnSelect(less).residuals);
   }
 
-  /// The likeliest of some subsets on SELECT; of those that are not steadily worse than it, the one
-  /// of the fewest parameters.
+  /// Subset with the greatest likelihood on SELECT. A subset with fewer parameters is preferred if
+  /// the likeliest is not better (IsBetter).
   Subset BestOf(const std::vector<Subset>& subsets) {
     const auto likelihood = [&](const Subset& subset) {
       return LogLikelihoodOf(OnSelect(subset).residuals, scale_);
@@ -214,7 +214,7 @@ class Search {
     return simplest;
   }
 
-  /// Forward as long as it improves, then without the superfluous terms.
+  /// Forward selection while it improves, then removal of superfluous terms.
   Subset Choose() {
     if (!IsBetter({}, all_)) return {};
     Subset chosen;
@@ -234,7 +234,8 @@ class Search {
     return chosen;
   }
 
-  /// Candidates that are equally good in the place of a selected one, itself first.
+  /// Candidates that could replace a selected one without a worse result. The selected one comes
+  /// first.
   std::vector<const Candidate*> RivalsOf(const Subset& chosen, std::size_t candidate) {
     std::vector<const Candidate*> rivals = {&block_.candidates[candidate]};
     for (const std::size_t other : all_) {
@@ -246,7 +247,7 @@ class Search {
     return rivals;
   }
 
-  /// A fit to TRAIN and SELECT that begins where that to TRAIN alone ended.
+  /// Fit to TRAIN and SELECT, started from the fit to TRAIN.
   RegistrationFit FitToSeen(const Subset& subset) {
     Structure start = OnSelect(subset).terms;
     for (Term& term : start) term.held.clear();
@@ -301,7 +302,7 @@ class Search {
   const SplitPoints& points_;
   const SearchOptions options_;
   Subset all_;
-  Structure starts_;  ///< one a candidate
+  Structure starts_;  ///< one per candidate
   double scale_ = 1, noise_rmse_ = 0;
   std::map<Subset, Judged> on_select_;
 };

@@ -69,11 +69,11 @@ std::vector<Beam> BeamsOf(const RangeScan& scan) {
 
 namespace {
 
-constexpr std::size_t kMostPointsOfScan = 400;  ///< that register a sensor
-/// Standard deviations that encoders and poses, and the surface's mesh, add to a range's noise.
+constexpr std::size_t kMostPointsOfScan = 400;  ///< maximum per scan in a registration
+/// Added to the range noise: angular error of encoders and poses; resolution of the surface mesh.
 constexpr double kDirectionSigma_rad = 0.02 * kDeg, kSurfaceSigma_m = 0.002;
 
-/// Derivatives of the distance to the surface that is met.
+/// Derivatives of the distance to the hit surface.
 CalibrationVector DerivativeOf(const RangeSource& source, const SensorCalibration& calibration,
                                const RangePoint& point, const SimulatedReturn& hit) {
   const Mat3 R_BT = calibration.X_BT.linear();

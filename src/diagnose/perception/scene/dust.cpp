@@ -14,21 +14,22 @@
 namespace tera {
 namespace {
 
-/// Where a return is from the air: so far before the simulated surface and over the ground.
+/// Least distances of an air return from the simulated surface and from the ground.
 constexpr double kLeastBeforeSurface_m = 0.5, kLeastOverGround_m = 0.3;
 constexpr double kVoxel_m = 0.5;
-constexpr double kStep_m = 0.5 * kVoxel_m;      ///< along a ray that is followed through voxels
-constexpr int kCloudReach = 2;                  ///< voxels between members of a cloud
-constexpr std::size_t kFewestReturns = 40;      ///< of a cloud
-constexpr std::size_t kFewestOfCubicMetre = 6;  ///< returns whose scatter is known
-constexpr std::size_t kMostParts = 8;           ///< of a recording, looked at alone
-constexpr double kMostStopped = 0.6;       ///< share of rays: a cloud that stops more is a solid
-                                           ///< object
-constexpr double kLeastThickness_m = 0.1;  ///< less is a surface
-/// More than one ray in 200, by blocks that agree within a tenth.
+constexpr double kStep_m = 0.5 * kVoxel_m;      ///< step along a ray through voxels
+constexpr int kCloudReach = 2;                  ///< distance in voxels at which voxels are linked
+constexpr std::size_t kFewestReturns = 40;      ///< per cloud
+constexpr std::size_t kFewestOfCubicMetre = 6;  ///< needed to compute a scatter
+constexpr std::size_t kMostParts = 8;           ///< into which the recording is divided
+constexpr double kMostStopped = 0.6;  ///< share of rays: a cloud that stops more is a solid object
+constexpr double kLeastThickness_m = 0.1;  ///< thinner is a surface
+/// Tests if more than one ray in 200 ends in a cloud. The prior is eight blocks that agree within a
+/// tenth.
 constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
-constexpr double kChosenP = 0.05, kConfirmedCloudP = 0.01;  ///< over all clouds
-constexpr double kLeastPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
+constexpr double kChosenP = 0.05, kConfirmedCloudP = 0.01;  ///< levels over all clouds
+constexpr double kLeastPresent =
+    0.25;  ///< share of stopped rays, over the 0.9 quantile of the blocks: less is clear air
 
 using Voxel = std::array<int, 3>;
 
@@ -37,19 +38,17 @@ Voxel VoxelAt(const Vec3& p_W_m) {
   return {static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())};
 }
 
-/// A return from the air.
 struct AirReturn {
   std::size_t scan, point;
   Vec3 p_W_m;
 };
 
-/// Rays that came to a cloud in one block of time.
+/// Rays that reach a cloud in one block of time.
 struct CloudRays {
   double stopped = 0, passed = 0;
   double share() const { return stopped / (stopped + passed); }
 };
 
-/// A measured ray, from the sensor to its return.
 struct MeasuredRay {
   std::size_t scan;
   Vec3 from_W_m, d_W;
@@ -82,7 +81,7 @@ void AddScan(const RangeSource& source, const SensorCalibration& calibration, st
   }
 }
 
-/// Connected voxels that hold returns: the index of each one's cloud.
+/// Links voxels with returns into clouds. Returns the cloud index of each voxel.
 std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* count) {
   std::map<Voxel, int> cloud;
   for (const AirReturn& air_return : air_returns) cloud[VoxelAt(air_return.p_W_m)] = -1;
@@ -110,13 +109,12 @@ std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* coun
   return cloud;
 }
 
-/// Counts for one cloud.
 struct CloudTally {
   std::map<std::size_t, CloudRays> blocks;
   std::vector<const AirReturn*> air_returns;
 };
 
-/// Counts a ray once for each cloud that it went through and did not end in.
+/// Counts the rays that pass through a cloud without ending in it, at most once per cloud.
 void CountPassingRays(const std::vector<MeasuredRay>& rays, const ScanSplit& split,
                       const std::map<Voxel, int>& cloud, std::vector<CloudTally>* tallies) {
   for (const MeasuredRay& ray : rays) {
@@ -134,7 +132,7 @@ void CountPassingRays(const std::vector<MeasuredRay>& rays, const ScanSplit& spl
   }
 }
 
-/// Blocks from `first` to before `end`.
+/// Blocks from `first` to `end`, without `end`.
 struct Window {
   std::size_t first = 0, end = 0;
   double p = 1;
@@ -151,8 +149,8 @@ std::vector<double> SharesIn(const Shares& shares, const Window& window) {
   return within;
 }
 
-/// The window that shows a cloud best, among the whole recording, its halves, quarters and eighths.
-/// Its p is corrected for the choice among all of them.
+/// The window with the smallest p among the whole recording, its halves, quarters and eighths. Its
+/// p is corrected for this choice (Bonferroni).
 Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   Window best{0, blocks, 1};
   double windows = 0;
@@ -168,8 +166,7 @@ Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   return best;
 }
 
-/// The window from the first to the last block of which more than `least` of the rays ended in the
-/// cloud.
+/// Window from the first to the last block in which more than `least` of the rays end in the cloud.
 Window PresentIn(const Shares& seen, double least) {
   Window present;
   for (const auto& [block, share] : seen) {

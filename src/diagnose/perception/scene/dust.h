@@ -7,37 +7,37 @@
 
 namespace tera {
 
-/// Dust in the air, which reflects some rays ahead of a surface and lets others pass.
+/// A dust cloud: it reflects some rays before they reach a surface and lets others pass.
 struct DustCloud : SceneDifference {
-  double top_m = 0;         ///< its highest return, in W
-  std::size_t returns = 0;  ///< returns from inside the cloud
-  double thickness_m = 0;   ///< median thickness over cubic metres, each in its thinnest direction
-  double stopped = 0;       ///< share of the rays that the cloud stopped, of those that reached it
+  double top_m = 0;         ///< height of the highest return, in W
+  std::size_t returns = 0;  ///< number of returns from the cloud
+  double thickness_m = 0;   ///< median over the cloud's returns of the standard deviation within 1
+                            ///< m^3, in its thinnest direction
+  double stopped = 0;       ///< share of rays that end in the cloud, among those that reach it
 };
 
-/// Clouds of returns from the air.
+/// Finds dust clouds.
 ///
 /// Frames  W.
-/// Model   returns at least 0.5 m in front of the simulated hit of their ray, at least 0.3 m above
-///         the simulated ground, and not at an object's edge. Voxels of half a metre with such
-///         returns, linked across gaps of one voxel, form a cloud if it has 40 returns or more. A
-///         cloud is dust if fewer than 60 % of the rays that reached its voxels ended there. Half
-///         of its returns must also scatter by 0.1 m or more in every direction, within their cubic
-///         metre.
-///         Significance: more than one ray in 200 ended there, by Student's t over blocks of time.
-///         Eight blocks that agree within a tenth moderate its variance. On TRAIN and SELECT the
-///         level is five per cent over the clouds, in the whole recording, a half, a quarter or an
-///         eighth of it. On FINAL it is one per cent. FINAL's blocks lie between the first and the
-///         last in which the other parts show the cloud. A cloud that stops more rays is a solid
-///         object.
-/// Omits   rays that the dust absorbed, since a scan has no point of them. A tree or fence missing
-///         in the scenario counts as dust: it also stops some rays at many depths.
+/// Model   An air return lies at least 0.5 m in front of the simulated hit of its ray. It also lies
+///         at least 0.3 m above the simulated ground. Returns at edges of simulated objects are
+///         left out. Voxels of 0.5 m with air returns are linked across gaps of one voxel. A cloud
+///         has at least 40 returns. A cloud is dust if at most 60 % of the rays that reach it end
+///         in it; otherwise it is a solid object. In addition, its returns must scatter by at least
+///         0.1 m in every direction (median over cubic metres). The test asks if more than one ray
+///         in 200 ends in the cloud, by Student's t over blocks of time. A prior of eight blocks
+///         with a scatter of a tenth moderates the variance. On TRAIN and SELECT, the windows are
+///         the whole recording, its halves, quarters and eighths. The level there is five per cent
+///         over the clouds. On FINAL, the level is one per cent. FINAL is limited to the time
+///         between the first and last block in which TRAIN and SELECT show the cloud.
+/// Omits   Rays that the dust absorbs, because scans contain no points for them. A tree or fence
+///         missing in the scenario counts as dust, because it also stops some rays at many depths.
 /// Source  Phillips et al. 2017, "When the dust settles: the four behaviors of lidar in the
 ///         presence of fine airborne particulates"; moderated t: Smyth 2004.
 struct Dust {
   std::vector<DustCloud> clouds;
   std::vector<DustCloud> unconfirmed;
-  PointFlags explained;  ///< returns from the clouds of both lists
+  PointFlags explained;  ///< returns from the clouds in both lists
 };
 
 Dust FindDust(const RangeSource& source, const ScanSplit& split,

@@ -13,42 +13,41 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSigma_m = 0.01;       ///< of a cell's height, however many scans see it
-constexpr double kLeastDifference_m = 0.05;  ///< of a cell that belongs to a region
-constexpr double kFalseShare = 0.01;         ///< of the cells that differ, by chance
+constexpr double kLeastSigma_m =
+    0.01;  ///< of a cell's height: a limit that no number of scans lowers
+constexpr double kLeastDifference_m = 0.05;  ///< of a cell in a region
+constexpr double kFalseShare = 0.01;         ///< false discovery rate among cells
 constexpr double kConfirmedRegionP = 0.01;   ///< over all regions
-constexpr double kLeastAgain = 0.5;  ///< of a region's height, on FINAL and while it differs
-constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< of which a cell is judged
-constexpr std::size_t kFewestCells = 4;                            ///< of a region
-constexpr int kReach = 2;              ///< cells between members of a region
-constexpr double kWall_m = 0.3;        ///< of heights within one cell
-constexpr double kWallShare = 0.35;    ///< of the cells of an object that stands there
-constexpr double kSteepestCone = 1.7;  ///< of soil: 60 deg
-constexpr double kWindows = 3;         ///< the recording and its two halves
+constexpr double kLeastAgain = 0.5;  ///< share of a region's height, on FINAL and in its intervals
+constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< per judged cell
+constexpr std::size_t kFewestCells = 4;                            ///< per region
+constexpr int kReach = 2;              ///< distance in cells at which cells are linked
+constexpr double kWall_m = 0.3;        ///< height range within a cell that indicates a wall
+constexpr double kWallShare = 0.35;    ///< share of cells with walls that indicates an object
+constexpr double kSteepestCone = 1.7;  ///< slope of the steepest cone of soil: 60 deg
+constexpr double kWindows = 3;         ///< the recording and its halves
 
-/// Shrinks the variance to that of blocks which agree within 2 cm, as if there were eight more of
-/// these. Where few blocks see a place, their own scatter is uncertain.
+/// The prior is eight blocks that agree within 2 cm. It matters where few blocks see a cell,
+/// because their own scatter is then uncertain.
 constexpr ModeratedTTest kHeightTest{
     .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
 
-/// Height differences by block of time.
 using Blocks = std::map<std::size_t, std::vector<double>>;
 using Cells = std::map<CellIndex, Blocks>;
 
-/// Probability of a mean so far on one side of 0 by chance.
+/// p-value of a mean at least this far from 0, on its own side.
 double OneSidedP(ModeratedTTest::Mean of) {
   of.mean = std::abs(of.mean);
   return kHeightTest.PFrom(of);
 }
 
-/// The height by which a cell of the measured ground differs from the simulated one.
 struct CellDifference {
   double median_m;
   double p;  ///< of such a difference, either way, by chance
 };
 
-/// The difference of a cell in the blocks from `first` to before `last`; nothing where these or
-/// their points are too few.
+/// Difference of a cell in blocks `first` to `last`, without `last`. Returns nothing with too few
+/// blocks or points.
 std::optional<CellDifference> DifferenceOf(const Blocks& blocks, double first, double last) {
   std::vector<double> medians;
   std::size_t points = 0;
@@ -61,7 +60,7 @@ std::optional<CellDifference> DifferenceOf(const Blocks& blocks, double first, d
   return CellDifference{Median(medians), 2 * OneSidedP(kHeightTest.MeanOf(medians))};
 }
 
-/// Whether at least half of the blocks show a wall in a cell.
+/// True if at least half of a cell's blocks show a wall.
 bool HasWall(const Blocks& blocks) {
   std::size_t steep = 0, known = 0;
   for (const auto& [block, values] : blocks) {
@@ -73,7 +72,7 @@ bool HasWall(const Blocks& blocks) {
   return known > 0 && 2 * steep >= known;
 }
 
-/// Cells that differ in the blocks from `first` to before `last` (Benjamini and Hochberg).
+/// Cells that differ in blocks `first` to `last`, without `last` (Benjamini and Hochberg).
 std::map<CellIndex, CellDifference> Differing(const Cells& cells, double first, double last) {
   std::vector<std::pair<double, CellIndex>> by_p;
   std::map<CellIndex, CellDifference> judged;
@@ -129,7 +128,8 @@ std::vector<std::vector<CellIndex>> Clusters(const std::map<CellIndex, CellDiffe
   return clusters;
 }
 
-/// Cells that no ray met take over the nearest cell within reach, if that is of a region.
+/// Copies values into cells that no ray hit, from the nearest cell within reach, if that cell
+/// belongs to a region.
 void FillGaps(GroundMap* map) {
   std::map<CellIndex, GroundCell> filled;
   for (const auto& [place, cell] : map->cells) {
@@ -152,7 +152,6 @@ void FillGaps(GroundMap* map) {
   map->cells.insert(filled.begin(), filled.end());
 }
 
-/// Extent, volume and heights of region `index`.
 void Measure(const GroundMap& map, int index, GroundRegion* region) {
   const double square_m2 = map.cell_m * map.cell_m;
   region->low_W_m.setConstant(std::numeric_limits<double>::infinity());
@@ -174,8 +173,8 @@ void Measure(const GroundMap& map, int index, GroundRegion* region) {
   region->mean_m = region->volume_m3 / region->area_m2;
 }
 
-/// Whether soil cannot stand so: the part higher than simulated has walls, or is higher than the
-/// steepest cone of soil on its area.
+/// True if soil cannot have this shape: it has walls, or it is higher than the steepest cone of
+/// soil on its area.
 bool IsObject(const GroundRegion& region) {
   if (region.mean_m < 0) return false;
   return region.upright || region.highest_m > kSteepestCone * std::sqrt(region.area_m2 / kPi);
@@ -189,7 +188,6 @@ bool IsNearRegion(const GroundMap& map, const CellIndex& place) {
   });
 }
 
-/// Height differences within a region.
 Blocks BlocksOf(const std::vector<HeightDifference>& differences, const ScanSplit& split,
                 const GroundMap& map, int index) {
   Blocks blocks;
@@ -214,7 +212,7 @@ std::vector<std::pair<double, double>> TimesOf(const RangeSource& source, const 
   return IntervalsOf(source, split, differs);
 }
 
-/// Sets a region's errors on FINAL, and the p-value of at least half its height there.
+/// Sets the region's errors on FINAL. Sets its p-value if FINAL shows at least half its height.
 void Confirm(const std::vector<HeightDifference>& final_differences, const ScanSplit& split,
              const GroundMap& map, int index, GroundRegion* region) {
   std::vector<double> medians;
@@ -239,8 +237,8 @@ void Confirm(const std::vector<HeightDifference>& final_differences, const ScanS
   region->p_confirmed = OneSidedP(of);
 }
 
-/// Clusters of cells that differ in the whole recording or in one half of it, which enter the map.
-/// Only p_chosen of the regions and whether they have walls are set.
+/// Clusters of cells that differ in the recording or in one of its halves. The map gets all judged
+/// cells. Each returned region has only `p_chosen` and `upright` set, where `upright` means walls.
 std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split, GroundMap* map) {
   const auto blocks = static_cast<double>(split.blocks);
   std::map<CellIndex, CellDifference> differing = Differing(cells, 0, blocks);

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kSameRange_m = 0.3;  ///< of an object beside the ray and the measured point
+constexpr double kSameRange_m = 0.3;  ///< between a measured point and an object hit by a test ray
 constexpr double kTurns_rad[] = {0.4 * kDeg, 1.2 * kDeg};
 constexpr int kDirections = 8;
 
@@ -46,15 +46,16 @@ std::vector<bool> OnOcclusionEdges(const RangeSource& source, const SensorCalibr
 
 namespace {
 
-/// A point lies on an object so near to its surface, or within so many standard deviations.
+/// A point lies on an object within this distance of its surface, or within this number of standard
+/// deviations.
 constexpr double kOnObject_m = 0.15, kOnObjectSigmas = 6;
-/// A point that is further above or below the ground may lie on an edge or a cliff.
+/// Points with a larger height difference are tested for edges and cliffs.
 constexpr double kUnremarkable_m = 0.04;
-constexpr double kCliffReach_m = 0.08;  ///< by how much poses may displace a point
+constexpr double kCliffReach_m = 0.08;  ///< horizontal displacement of a point by pose errors
 constexpr double kLeastCliff_m = 0.05, kHeightNoise_m = 0.01;
-constexpr double kGreatestHeight_m = 10;  ///< over or below the ground, of points that tell of it
+constexpr double kGreatestHeight_m = 10;  ///< larger height differences are ignored
 
-/// Whether a point was measured on the simulated object that its ray meets.
+/// True if a point lies on the simulated object that its ray hits.
 bool LiesOnObject(const RangeSource& source, const SensorCalibration& calibration,
                   const RangePoint& point, const SimulatedReturn& hit, double scale) {
   if (hit.surface != Surface::kObstacle && hit.surface != Surface::kMachine) return false;
@@ -62,8 +63,8 @@ bool LiesOnObject(const RangeSource& source, const SensorCalibration& calibratio
   return std::abs(PointToPlane_m(source, calibration, point, hit)) < near_m;
 }
 
-/// Whether the simulated ground falls or rises across the point's height within a few centimetres
-/// of it: the point may then lie on that cliff.
+/// True if the simulated ground has a cliff at the point: within kCliffReach_m it varies by over 5
+/// cm, across the point's height.
 bool IsOnCliff(const RangeSource& source, std::size_t scan, const Vec3& p_W_m) {
   double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
   for (int a = -1; a <= 1; ++a) {

@@ -8,33 +8,36 @@
 
 namespace tera {
 
-/// Finds the points of a scan at which a simulated object begins to occlude its background. A ray
-/// turned by 0.4 or 1.2 deg, in eight directions, meets an object within 0.3 m of the measured
-/// range, or one of unknown shape. Poses and encoders are too inexact for comparing such points.
+/// Flags points at which a simulated object may begin to occlude its background. Test rays are
+/// tilted from the measured ray by 0.4 and 1.2 deg, in eight directions. A point is flagged if a
+/// test ray hits an object within 0.3 m of the measured range, or a body of unknown shape. Poses
+/// and encoders are too inexact to compare such points.
 std::vector<bool> OnOcclusionEdges(const RangeSource& source, const SensorCalibration& calibration,
                                    std::size_t scan, const std::vector<std::size_t>& points);
 
-/// A cell of the site by index.
+/// Index of a cell of the site.
 using CellIndex = std::pair<int, int>;
 
-/// The cell of side `cell_m` that contains a position; the lower corner of (i, j) is at cell_m (i,
-/// j).
+/// The cell with side `cell_m` that contains a position. The lower corner of cell (i, j) is at
+/// cell_m * (i, j).
 CellIndex CellAt(const Vec2& xy_W_m, double cell_m);
 
-/// Height of one measured point over the simulated ground below it.
+/// Height of one measured point above the simulated ground below it.
 struct HeightDifference {
   std::size_t scan = 0, point = 0;
   CellIndex cell;
   double above_m = 0;
-  CellIndex simulated;  ///< cell of the ray's simulated hit
+  CellIndex simulated;  ///< cell of the simulated hit of its ray
 };
 
-/// Adds the height differences of one scan. Leaves out points on simulated objects, on their edges,
-/// and on cliffs of the simulated ground, where a small pose error becomes a height difference.
+/// Appends the height differences of one scan. It leaves out points on simulated objects and at
+/// their edges. It also leaves out points at cliffs of the simulated ground, where a small pose
+/// error causes a large height difference.
 ///
 /// Frames  W.
 ///
-/// `scale`: sensor noise over its model. `excluded`: points with another explanation.
+/// `scale`: actual sensor noise over modelled noise. `excluded`: points that another difference
+/// explains.
 void AddHeightDifferences(const RangeSource& source, const SensorCalibration& calibration,
                           double scale, std::size_t scan, const std::vector<bool>& excluded,
                           double cell_m, std::vector<HeightDifference>* differences);

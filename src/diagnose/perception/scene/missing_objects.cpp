@@ -8,18 +8,17 @@
 namespace tera {
 namespace {
 
-/// Where a ray ended behind, or before, a surface: so far along the ray and along the normal.
+/// Least distances of a point behind or in front of a surface, along the ray and along the normal.
 constexpr double kLeastAlongRay_m = 0.3, kLeastAlongNormal_m = 0.15;
 constexpr double kAlpha = 0.01;  ///< of both tests, over all objects
 constexpr std::size_t kFewestRays = 20;
 constexpr ModeratedTTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
-/// Rays that meet one object in the simulation, in one block of time.
+/// Rays that hit one object in the simulation, per block of time.
 struct RayCount {
   double all = 0, through = 0;
 };
 
-/// Counts of rays for one object.
 struct Tally {
   std::map<std::size_t, RayCount> seen, held_out;            ///< by block
   std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point
@@ -28,7 +27,7 @@ struct Tally {
   std::size_t rays = 0;
 };
 
-/// Probability, by chance, of so many blocks in which more than half of the rays went on.
+/// p-value that more than half of the rays pass through.
 double ShareP(const std::map<std::size_t, RayCount>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);
@@ -48,7 +47,7 @@ void AddScan(const RangeSource& source, const ScanSplit& split,
         TruePoint(source, calibration, points[p].p_S_m).norm() - hits[p].range_m;
     const double off_m = PointToPlane_m(source, calibration, points[p], hits[p]);
     const bool went_on = behind_m > kLeastAlongRay_m && off_m > kLeastAlongNormal_m;
-    // A ray that ended before the object was stopped by something else.
+    // Something else stopped a ray that ends in front of the object.
     if (behind_m < -kLeastAlongRay_m && off_m < -kLeastAlongNormal_m) continue;
     Tally& tally = (*tallies)[hits[p].object];
     RayCount& count = (is_final ? tally.held_out : tally.seen)[split.block[scan]];
@@ -88,7 +87,8 @@ MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& sp
     one.p_chosen = ShareP(tally.seen);
     one.p_confirmed = ShareP(tally.held_out);
     if (one.p_chosen > kAlpha / objects || one.p_confirmed > kAlpha / objects) continue;
-    one.centre_W_m = one.low_W_m = one.high_W_m = tally.where_W_m / through;  // of the hits
+    one.centre_W_m = one.low_W_m = one.high_W_m =
+        tally.where_W_m / through;  // mean of the simulated hits
     one.rmse_before_m = std::sqrt(tally.square_m2 / tally.final_rays);
     for (const auto& [scan, point] : tally.through) missing.explained[scan][point] = true;
     missing.objects.push_back(one);

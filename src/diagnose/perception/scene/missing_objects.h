@@ -8,26 +8,28 @@
 
 namespace tera {
 
-/// A simulated object that measured rays pass through.
+/// A simulated object that the measured rays pass through.
 struct MissingObject : SceneDifference {
   int object = 0;
-  std::size_t rays = 0;  ///< rays that hit it in the simulation
-  double share = 0;      ///< share of these that passed
+  std::size_t rays =
+      0;  ///< number of rays that hit it in the simulation, without those stopped in front of it
+  double share = 0;  ///< share of these rays that pass through
 };
 
-/// Obstacles of the simulation that the recording does not show at their places.
+/// Finds obstacles of the simulation that are missing in the recording.
 ///
-/// Model   a measured point is behind its ray's simulated obstacle if it is at least 0.3 m further
-///         along the ray, and in front if 0.3 m nearer. Either way it must be at least 0.15 m from
-///         the obstacle's surface.
-///         Among rays without a return in front, those with a point behind passed through. An
-///         obstacle is missing if more than half of at least 20 rays passed, in TRAIN and SELECT
-///         and again in FINAL. The test is Student's t over at least three blocks of time, at one
-///         per cent over the obstacles. The standard deviation of the mean is at least 0.03.
-/// Omits   rays without any return, since a scan has no point of them.
+/// Model   A ray passes through an obstacle if its measured point lies at least 0.3 m behind the
+///         simulated hit, along the ray. The point must also be at least 0.15 m from the obstacle's
+///         surface. Rays that end equally far in front of the obstacle are ignored, because
+///         something else stopped them.
+///         An obstacle with at least 20 rays is missing if more than half of them pass. TRAIN with
+///         SELECT and FINAL must both show this. The test is Student's t over at least three blocks
+///         of time, at one per cent over the obstacles. The standard deviation of the mean is at
+///         least 0.03.
+/// Omits   Rays without a return, because scans contain no points for them.
 struct MissingObjects {
   std::vector<MissingObject> objects;
-  PointFlags explained;  ///< points that were measured behind one
+  PointFlags explained;  ///< points measured behind a missing object
 };
 
 MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& split,

@@ -5,15 +5,15 @@
 
 namespace tera {
 
-/// Moderated t-test of whether values, one for each block of time, have a mean above a limit.
+/// Moderated t-test for a mean above a limit, with one value per block of time.
 ///
-/// Model   Student's t over blocks, since the rays of one block meet the same surfaces. Two terms
-///         keep a few blocks that agree by chance from being significant. A prior with the weight
-///         of additional blocks shrinks the variance. A further standard deviation adds to that of
-///         the mean.
+/// Model   Student's t over blocks, because the rays of one block hit the same surfaces. Two terms
+///         prevent significance when a few blocks agree by chance. A prior with the weight of
+///         `prior_blocks` blocks and the scatter `prior_scatter` moderates the variance.
+///         `least_sigma` is added, in quadrature, to the standard deviation of the mean.
 /// Source  Smyth 2004, "Linear models and empirical Bayes methods" (moderated t).
 struct ModeratedTTest {
-  /// Mean of values, with its standard deviation and degrees of freedom.
+  /// Mean of the values, its standard deviation and its degrees of freedom.
   struct Mean {
     double mean = 0, sigma = 0, dof = 0;
   };
@@ -25,7 +25,7 @@ struct ModeratedTTest {
 
   /// Needs at least one value.
   Mean MeanOf(const std::vector<double>& values) const;
-  /// p-value of a mean so far above the limit.
+  /// p-value of a mean at least this far above the limit.
   double PFrom(const Mean& of) const;
   double P(const std::vector<double>& values) const;
 };

@@ -54,17 +54,16 @@ const Mechanism& SceneMechanism(std::string_view id) {
 
 namespace {
 
-/// Differences of the scene under one calibration of a sensor.
 struct SceneComparison {
   Dust dust;
   GroundMap ground;
   MissingObjects missing;
-  PointFlags explained;        ///< points that one of these explains
-  double explained_share = 0;  ///< of all points
+  PointFlags explained;        ///< points that any of the differences explains
+  double explained_share = 0;  ///< share of all points
 };
 
-/// A finding of the scene as others are told: a mechanism on a target, with its measures in the
-/// order of the mechanism's parameters.
+/// Converts a difference of the scene into a finding. `values` are the measures, in the order of
+/// the mechanism's parameters.
 PerceptionFinding FindingOf(const SceneDifference& difference, std::string_view id,
                             const std::string& target, const std::vector<double>& values,
                             std::deque<Candidate>* candidates) {
@@ -99,7 +98,7 @@ PerceptionFinding FindingOf(const DustCloud& cloud, std::deque<Candidate>* candi
                    {static_cast<double>(cloud.returns), cloud.stopped, cloud.top_m}, candidates);
 }
 
-/// `scale`: sensor noise over its model.
+/// `scale`: actual sensor noise over modelled noise.
 SceneComparison CompareScene(const RangeSource& source, const ScanSplit& split,
                              const SensorCalibration& calibration, double scale) {
   SceneComparison scene;
@@ -119,8 +118,8 @@ SceneComparison CompareScene(const RangeSource& source, const ScanSplit& split,
   return scene;
 }
 
-/// Enters confirmed and unconfirmed differences of the scene, and the map of the ground. Runs after
-/// the findings of the sensor, whose noise the errors are compared with.
+/// Adds the scene's findings and the ground map to the diagnosis. Must follow the sensor's
+/// TakeOver, because it needs the sensor's noise.
 void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagnosis* diagnosis) {
   std::deque<Candidate>* candidates = &diagnosis->scene_candidates;
   for (const MissingObject& missing : scene.missing.objects) {
@@ -149,14 +148,14 @@ void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagno
   diagnosis->ground = std::move(scene.ground);
 }
 
-/// Points of a scan that tell whether anything can be compared.
+/// Points per scan in the test of comparability.
 constexpr std::size_t kPointsForComparability = 100;
 constexpr double kLeastComparable = 0.05;  ///< share of these points
-/// Share of points that the scene may explain and still be believed before the sensor.
+/// If the scene explains a larger share of the points, the sensor is searched first.
 constexpr double kMostExplained = 0.5;
-constexpr int kRoundsInTurn = 2;  ///< of sensor and scene in turn
+constexpr int kRoundsInTurn = 2;  ///< alternations of sensor and scene
 
-/// Why nothing can be said of these scans; empty where it can.
+/// Why the scans cannot be compared; empty if they can.
 std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
   if (split.blocks < kFewestBlocks) {
     return fmt::format("its {} scans are spread over {} blocks of a second; need {}",
@@ -175,9 +174,9 @@ std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
   return "";
 }
 
-/// Judges sensor and scene together. If the sensor is right elsewhere, a scene that differs in a
-/// few places is believed before a sensor that differs everywhere. Otherwise the sensor comes
-/// first, without the places that still differ under its findings.
+/// Diagnoses the sensor and the scene together. If the sensor is right outside a few differing
+/// places, the scene is the cause. Otherwise the sensor is searched first, and then without the
+/// points that the scene explains.
 SceneComparison SearchTogether(const RangeSource& source, const ScanSplit& split,
                                const RegistrationBlock& block, RegistrationSearch* sensor) {
   const auto search = [&](const PointFlags& excluded) {

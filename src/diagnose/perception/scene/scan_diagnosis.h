@@ -10,20 +10,23 @@
 
 namespace tera {
 
-/// Mechanisms of the scene, by their measures: `terrain_height`, `object_added`, `object_missing`
-/// and `dust`. A scenario has no such effects, so they have no target in effects.yaml.
+/// Mechanisms of the scene, with their measures: `terrain_height`, `object_added`, `object_missing`
+/// and `dust`. A scenario cannot contain them as effects, so they have no target in effects.yaml.
 std::span<const Mechanism> SceneMechanisms();
 
-/// The mechanism with that identifier, which must exist.
+/// The scene mechanism with this identifier, which must exist.
 const Mechanism& SceneMechanism(std::string_view id);
 
-/// Diagnoses differences between a lidar's scans, or a depth camera's images, and their simulation:
-/// effects on the sensor, and differences of the scene.
+/// Diagnoses the differences between a lidar's scans, or a depth camera's images, and their
+/// simulation. Causes are effects on the sensor and differences of the scene.
 ///
-/// Model   a scene that differs in a few places is preferred to a sensor that differs everywhere,
-///         if the sensor is right elsewhere. Otherwise the sensor comes first
-///         (registration_search.h), and the comparison of the scene uses its findings, twice in
-///         turn. Not judged: fewer than ten blocks of time, or fewer than 5 % comparable points.
+/// Model   The scene is compared first. If it explains less than half of the points and the
+///         remaining points show no sensor error, this result is final. A scene that differs in a
+///         few places is thus preferred to a sensor that differs everywhere. Otherwise the sensor
+///         is searched first (registration_search.h). Scene and sensor then alternate for two
+///         rounds.
+///         A sensor is not judged with fewer than ten blocks of time, or if fewer than 5 % of its
+///         points are comparable.
 PerceptionDiagnosis DiagnoseScans(const RangeSource& source, std::uint64_t seed);
 
 }  // namespace tera

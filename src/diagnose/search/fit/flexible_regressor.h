@@ -9,7 +9,8 @@ namespace tera {
 
 /// The residual after the channels' flexible regressors, fitted to TRAIN. A flexible regressor is a
 /// set of columns whose combinations approximate anything that the physics of a block could do
-/// (Channel::flexible_regressor). Its gain bounds the gain of any mechanism.
+/// (Channel::flexible_regressor). Its gain in log-likelihood is an upper bound of the gain by any
+/// mechanism.
 ///
 /// Model   for each channel, Huber regression (clip at 3 robust scales) of the whitened residual on
 ///         the whitened columns and a constant. Ridges are relative to the energy of each column.

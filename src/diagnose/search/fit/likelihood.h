@@ -73,7 +73,7 @@ class Likelihood {
     Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
     Eigen::MatrixXd nominal;           ///< whitened, over the noise's scale
   };
-  /// One channel's fitted nuisances, and the innovations of the fitted samples.
+  /// The fitted nuisance parameters of one channel, and the innovations of the fitted samples.
   struct ChannelFit {
     Eigen::VectorXd innovation;
     Eigen::VectorXd nuisances;

@@ -11,7 +11,7 @@ namespace {
 
 Image<std::uint16_t> ReadBodies(const GlObject& body, int width_px, int height_px) {
   Image<std::uint16_t> picture(width_px, height_px);
-  // Reads 32-bit words, because 16-bit rows of odd width need padding.
+  // Reads 32-bit words: rows of 16-bit values would need padding at odd widths.
   std::vector<std::uint32_t> words(picture.data.size());
   glGetTextureImage(body.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                     static_cast<GLsizei>(words.size() * sizeof(std::uint32_t)), words.data());

@@ -12,13 +12,15 @@
 
 namespace tera {
 
-/// Draws the visible body of each pixel (body_picture.h).
+/// Draws the body image (body_picture.h): which body each pixel shows.
 ///
-/// Model   draws the nodes again over a finished image's depth and keeps pixels of equal depth.
-///         With a lens, the nearest pixel counts, as for labels.
+/// Model   draws the nodes again over the depth of a finished image and keeps pixels of equal
+///         depth. Behind a lens, each pixel takes the nearest pixel of the pinhole image, as labels
+///         do.
 class BodyPass {
  public:
-  /// Draws over the image of `view` in `p`. `nodes` and `grains`, if any, must be placed for it.
+  /// Draws over the image of `view` in `p`. `nodes` and `grains` must be placed for it; `grains`
+  /// may be null.
   void Draw(const View& view, const Pictures& p, const NodeRenderer& nodes,
             const GrainRenderer* grains);
   /// Reads the result of the last Draw.
@@ -26,7 +28,8 @@ class BodyPass {
 
   /// Clears the camera's image behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Resamples the result of the last Draw as view `view` of the lens.
+  /// Transfers the result of the last Draw into the camera's image; `view` is its index in
+  /// Lens::views.
   void DrawLens(const Lens& lens, int view);
   Image<std::uint16_t> ReadLens() const;
 

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The sky on the GPU, with the image's exposure.
+/// The sky on the GPU, and the exposure of the image.
 ///
 /// Model   exposure = 1 / (1.2 2^EV100): the luminance that saturates an ISO 100 sensor maps to 1.
 ///         Extinction of the fog = -ln(0.02) / visibility (Koschmieder).
@@ -18,19 +18,19 @@ class Daylight {
   explicit Daylight(const Environment& environment);
 
   const Sky& sky() const { return sky_; }
-  /// Luminance that maps to 1; nullopt: the scene's exposure.
+  /// Sets the luminance that maps to 1. Empty: by the scene's exposure.
   void SetWhite(std::optional<double> white_cdpm2);
-  /// Exposure of the image, in 1 / (cd/m2).
+  /// Factor from luminance to image value, in 1 / (cd/m^2).
   double exposure() const { return exposure_; }
   /// Sets the uniforms of light.glsl.
   void Light(const Program& program) const;
-  /// Binds the sky texture to `unit` and sets its exposure.
+  /// Binds the sky texture to `unit` and sets the uniform of its exposure.
   void BindSky(unsigned unit, const Program& program) const;
 
  private:
   Sky sky_;
   float scene_exposure_;
-  float exposure_;  ///< in 1 / (cd/m^2)
+  float exposure_;
   float extinction_1pm_;
   GlObject texture_;
 };

@@ -6,14 +6,13 @@
 
 namespace tera {
 
-/// State of the nodes in a drawn image, to avoid a redundant draw.
+/// Record of the nodes' state in a drawn image. It shows whether a new draw is necessary.
 class DrawnScene {
  public:
-  /// No state.
   DrawnScene() = default;
   explicit DrawnScene(const SceneState& state) : X_WB_(state.X_WB), shapes_(state.shapes) {}
 
-  /// True if all bodies and deforming meshes equal the drawn state.
+  /// True if the poses of all bodies and all deforming meshes equal the recorded ones.
   bool IsOf(const SceneState& state) const;
 
  private:

@@ -105,7 +105,7 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   screen_.Draw();
 
   glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
-  glDepthMask(GL_FALSE);  // the pass reads depth
+  glDepthMask(GL_FALSE);  // the shader reads the depth
   glViewport(0, 0, view.width_px, view.height_px);
   blend_.Use();
   glBindTextureUnit(1, half.light.id());

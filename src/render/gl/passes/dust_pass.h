@@ -12,15 +12,17 @@
 
 namespace tera {
 
-/// Dust over an image: it attenuates the background and scatters the light of sun and sky.
+/// Draws airborne dust over an image. Dust attenuates the background and scatters light of sun and
+/// sky.
 ///
 /// Model   radiance L' = L exp(-tau) + integral of S exp(-tau') d tau' along the ray to the visible
-///         surface. Marching uses steps of MarchStep_m at half resolution; a depth-aware blend
-///         upsamples it. S = w (E p(theta) exp(-t) + m + E / (4 pi) (1 - exp(-t)) exp(-b t)). w is
-///         the single-scattering albedo, E the sun's illuminance and p the Henyey-Greenstein phase
-///         function. t is the optical depth of dust towards the sun, m the mean radiance of sky and
-///         ground. The last term represents multiple scattering, with b = kDiffuseLoss (this
-///         project's estimate).
+///         surface. Ray marching with steps of MarchStep_m runs at half resolution; a depth-aware
+///         blend upsamples the result.
+///         S = w (E p(theta) exp(-t) + m + E / (4 pi) (1 - exp(-t)) exp(-b t)).
+///         w: single-scattering albedo. E: illuminance by the sun. p: Henyey-Greenstein phase
+///         function. t: optical depth of dust towards the sun. m: mean radiance of sky and ground.
+///         The last term approximates multiple scattering; b = kDiffuseLoss is this project's
+///         estimate.
 /// Omits   shadows of ground and machines on dust, lamp light in dust, fog in front of it, the
 ///         eddies' part in t.
 /// Source  Henyey and Greenstein 1941; single scattering: Max 1995, "Optical models for direct
@@ -30,7 +32,7 @@ class DustPass {
   static constexpr double kDiffuseLoss = 0.3;
 
   DustPass();
-  /// Draws the dust over the radiance of `p` if dust is in `view`.
+  /// Draws the dust over the radiance of `p`. Does nothing if `view` shows no dust.
   void Draw(const View& view, const DustVolume& dust, const Daylight& daylight, const Pictures& p);
 
  private:

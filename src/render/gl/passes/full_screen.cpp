@@ -10,7 +10,7 @@ void FullScreen::Draw() const {
 }
 
 void SetView(const View& view, const Program& program) {
-  // Ray (x, y, 1) of window position p: (p - 1/2 - c) / f.
+  // The ray of window position p is (x, y, 1) with (x, y) = (p - 1/2 - c) / f.
   program.Set("u_pixel_to_ray", Eigen::Vector4f(Eigen::Vector4d(-(view.cx_px + 0.5) / view.fx_px,
                                                                 -(view.cy_px + 0.5) / view.fy_px,
                                                                 1 / view.fx_px, 1 / view.fy_px)

@@ -3,21 +3,21 @@
 #include "render/gl/gl_objects.h"
 #include "render/gl/view.h"
 
-/// Common parts of full-screen passes.
+/// Helpers of full-screen passes.
 
 namespace tera {
 
-/// Covers all pixels of the viewport once, with the vertices of fullscreen.vert.
+/// Draws a triangle that covers the viewport, with the vertices of fullscreen.vert.
 class FullScreen {
  public:
-  /// Uses the current program and framebuffer.
+  /// Draws with the current program and framebuffer.
   void Draw() const;
 
  private:
   GlObject no_vertices_ = MakeVertexArray();
 };
 
-/// Sets the uniforms that convert pixels and depths of a view to positions.
+/// Sets the uniforms that convert pixel and depth of a view to a position.
 void SetView(const View& view, const Program& program);
 
 }  // namespace tera

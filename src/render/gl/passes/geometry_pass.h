@@ -9,13 +9,12 @@
 
 namespace tera {
 
-/// Draws colour, normal, label and depth of the nearest opaque surface of each pixel, without
-/// lighting.
+/// Draws albedo, normal, label and depth of the nearest opaque surface in each pixel.
 class GeometryPass {
  public:
-  /// Starts an image with the nodes placed for `view`.
+  /// Clears the image and draws the nodes, which are placed for `view`.
   void DrawNodes(const View& view, const NodeRenderer& nodes, const Pictures& p) const;
-  /// Adds the ground and the clods over it.
+  /// Adds the ground and the clods above it.
   void DrawGround(const View& view, const TerrainRenderer& terrain,
                   const GrainRenderer& grains) const;
 

@@ -9,20 +9,20 @@
 
 namespace tera {
 
-/// Draws airborne soil, clod by clod.
+/// Draws the clods of soil in the air.
 class GrainRenderer {
  public:
   explicit GrainRenderer(const std::vector<SoilAppearance>& soils);
 
-  /// Places the clods of `terrain` relative to `eye_W_m`.
+  /// Positions the clods of `terrain` relative to `eye_W_m`.
   void Place(const TerrainSurface& terrain, const Vec3& eye_W_m);
-  /// Draws the clods, labelled as terrain, with node.vert and node.frag in use.
+  /// Draws the clods, labelled as terrain. Needs node.vert and node.frag as the current program.
   void Draw() const;
-  /// Number since construction.
+  /// Triangles since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
-  struct Batch {  ///< clods of one colour
+  struct Batch {  ///< clods of equal colour
     Eigen::Vector4f albedo_root_opacity;
     int first = 0, count = 0;
   };

@@ -11,11 +11,11 @@ namespace tera {
 namespace {
 
 constexpr int kSide_px = 512;
-constexpr double kNear_m = 0.25, kFar_m = 120;  // range of shadows
+constexpr double kNear_m = 0.25, kFar_m = 120;  // range in which lamps cast shadows
 
-/// From W to clip coordinates of a lamp's image; depth 0 is nearest, 1 farthest.
+/// Transform from W to clip coordinates of a lamp's image. Depth 0 is nearest, 1 farthest.
 Eigen::Matrix4d ClipFromWorld(const Lamp& lamp, const Pose& X_WL) {
-  // The view looks along x of L; its right is -y, its up is z.
+  // The lamp looks along x of L; the image's right is -y, its up is z.
   Eigen::Matrix4d view_L = Eigen::Matrix4d::Zero();
   view_L(0, 1) = -1;
   view_L(1, 2) = 1;

@@ -11,14 +11,14 @@ namespace tera {
 
 /// Lamps on the GPU, with shadows of the nodes.
 ///
-/// Model   one depth texture with one perspective image of the nodes per lamp, side by side. It is
-///         redrawn only when a node has moved.
+/// Model   one depth texture contains a perspective image of the nodes for each lamp, side by side.
+///         It is redrawn only when a node has moved.
 /// Omits   shadows of the ground, light that lamps scatter in fog, lamp glare.
 class LampLights {
  public:
   explicit LampLights(const std::vector<Lamp>& lamps);
 
-  /// May leave `nodes` placed about the origin.
+  /// Redraws the shadows if necessary. This may leave `nodes` placed relative to the origin of W.
   void Update(const SceneState& state, NodeRenderer* nodes);
   /// Binds the texture to `unit` and sets the uniforms of lamps.glsl.
   void Bind(unsigned unit, const Vec3& eye_W_m, double exposure, const Program& program) const;

@@ -31,7 +31,7 @@ void RequireRays(const CameraIntrinsics& camera) {
            camera.width_px, camera.height_px)});
 }
 
-/// The point of depth 1 on each pixel's ray, row by row.
+/// For each pixel, row by row: the point of depth 1 on its ray.
 std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
   std::vector<std::optional<Vec3>> rays;
   for (int v = 0; v < camera.height_px; ++v) {
@@ -41,8 +41,8 @@ std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
 }
 
 /// Orientations of a cube's faces: ahead, right, left, below, above, behind. Each face is rotated
-/// about its own axis. Without rotation, pixel rows parallel to the lens's rows would share one
-/// sub-pixel offset, which would shift whole edges.
+/// about its own axis. Without the rotation, the pixels of a lens row would all have the same
+/// sub-pixel offset, and whole edges would shift.
 std::array<Mat3, 6> CubeFaces(double turn_rad) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const auto facing = [&](const Vec3& right, const Vec3& down, const Vec3& ahead) {
@@ -54,7 +54,7 @@ std::array<Mat3, 6> CubeFaces(double turn_rad) {
           facing(x, -z, y), facing(x, z, -y), facing(-x, y, -z)};
 }
 
-/// The required views, without pinholes, and the view of each ray.
+/// The views that a lens needs (pinholes not yet set), and the view of each ray.
 struct Split {
   std::vector<LensView> views;
   std::vector<int> view_of_ray;
@@ -85,7 +85,7 @@ Split SplitBetweenViews(const CameraIntrinsics& camera,
 }
 
 /// Pixel density of the lens relative to a pinhole of equal focal length, at a ray (x, y, 1) of the
-/// view: the larger stretch.
+/// view. The larger of the two principal stretches.
 double Stretch(const CameraIntrinsics& c, const Mat3& R_CV, const Vec2& ray) {
   constexpr double kStep = 1e-4;
   Eigen::Matrix2d jacobian;
@@ -100,7 +100,7 @@ double Stretch(const CameraIntrinsics& c, const Mat3& R_CV, const Vec2& ray) {
   return jacobian.jacobiSvd().singularValues()[0];
 }
 
-/// Bounding box of the rays in a view's plane, and the lens's largest stretch there.
+/// Bounding box of the rays in the image plane of a view, and the lens's largest stretch there.
 struct Field {
   Eigen::AlignedBox2d box;
   double stretch = 1.0;
@@ -121,12 +121,12 @@ CameraIntrinsics PinholeOf(const CameraIntrinsics& camera, const Field& field, i
   return pinhole;
 }
 
-/// Sets pinholes that contain the views' rays.
+/// Sets the pinhole of each view so that it contains the view's rays.
 void FitPinholes(const CameraIntrinsics& camera, const std::vector<std::optional<Vec3>>& rays,
                  Split* split) {
   constexpr int kProbe_px = 16;  // the stretch varies slowly over the image
   constexpr int kMargin_px = 2;
-  constexpr int kSeamMargin_px = 32;  // surfaces just across a seam also cause shading
+  constexpr int kSeamMargin_px = 32;  // surfaces just beyond a seam affect the shading at the seam
   std::vector<Field> fields(split->views.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!rays[i]) continue;

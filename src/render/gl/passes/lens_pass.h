@@ -7,12 +7,12 @@
 
 namespace tera {
 
-/// Resamples a lens's pinhole images to the camera's image.
+/// Resamples the pinhole images of a lens to the camera's image.
 class LensPass {
  public:
-  /// Clears the camera's image, with or without normals.
+  /// Clears the camera's image. `normals` includes the normals.
   void Clear(const LensPictures& to, bool normals) const;
-  /// Fills the pixels that view `view` of the lens supplies, from its image `from`.
+  /// Fills those pixels that Lens::views[view] supplies, from its image `from`.
   void Draw(const Lens& lens, int view, bool normals, const Pictures& from,
             const LensPictures& to) const;
 

@@ -8,21 +8,23 @@
 
 namespace tera {
 
-/// Illuminance of the visible surface of each pixel, from the shading pass.
+/// Writes the illuminance of the visible surface of each pixel during the shading pass.
 ///
-/// Model   illuminance in lx of sun, sky and lamps, and the arriving fraction of the sun; zero
-///         without a surface. With a lens, the nearest pixel counts, as for labels.
-/// Omits   glass: the surface behind it counts.
+/// Model   two channels: illuminance in lx by sun, sky and lamps, and the fraction of the sun that
+///         arrives. Both are zero without a surface. Behind a lens, each pixel takes the nearest
+///         pixel of the pinhole image, as labels do.
+/// Omits   glass: the values are those of the surface behind it.
 class LightPass {
  public:
-  /// Empty framebuffer for the shading of `p`; radiance has its usual target.
+  /// A cleared framebuffer for the shading of `p`. It writes the illuminance here and the radiance
+  /// to its usual texture.
   unsigned TargetOf(const Pictures& p);
-  /// Reads the last result, for an image with that exposure.
+  /// Reads the last result, given the exposure of its image.
   Image<float> Read(double exposure) const;
 
   /// Clears the camera's image behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Resamples the last result as view `view` of the lens.
+  /// Transfers the last result into the camera's image; `view` is its index in Lens::views.
   void DrawLens(const Lens& lens, int view);
   Image<float> ReadLens(double exposure) const;
 

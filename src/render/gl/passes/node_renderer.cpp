@@ -15,8 +15,8 @@ namespace {
 struct Vertex {
   float position_m[3];
   std::int16_t normal[4];
-  std::uint8_t albedo_opacity[4];      // square roots of the albedo match the eye's resolution
-  std::uint8_t roughness_metallic[4];  // the last two are unused
+  std::uint8_t albedo_opacity[4];      // square roots: the steps of a byte then suit the eye
+  std::uint8_t roughness_metallic[4];  // only the first two bytes are used
   float uv[2];
 };
 
@@ -271,7 +271,7 @@ void NodeRenderer::DrawNode(int node, Surface surface) const {
   }
 }
 
-/// Draws closed and open surfaces. `half_of_closed` culls the clockwise triangles of closed
+/// Draws the position-only triangles of a node. `half_of_closed` culls the back faces of closed
 /// surfaces.
 void NodeRenderer::DrawBare(int node, Surface surface, bool half_of_closed) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);

@@ -11,10 +11,10 @@
 
 namespace tera {
 
-/// Streaks of falling drops over an image, in front of the background.
+/// Draws streaks of falling drops in front of an image.
 ///
-/// Model   FallingDrops. A drop gathers light from a wide cone and has the fraction kShare of the
-///         surrounding mean radiance.
+/// Model   streaks as in FallingDrops. A drop refracts light from a wide cone, so its radiance is
+///         kShare times the mean radiance around it.
 /// Source  Garg and Nayar 2007, "Vision and rain", section 3 (about 0.94 of the mean radiance in a
 ///         cone of 165 degrees).
 class RainPass {
@@ -29,7 +29,7 @@ class RainPass {
   Program program_{"rain.vert", "rain.frag"};
   GlObject vertices_, array_ = MakeVertexArray();
   std::size_t room_ = 0;                  ///< capacity of the buffer, in vertices
-  std::vector<Eigen::Vector4f> corners_;  ///< image x, y and depth, covered fraction
+  std::vector<Eigen::Vector4f> corners_;  ///< image x, y, depth, and hidden fraction of light
 };
 
 }  // namespace tera

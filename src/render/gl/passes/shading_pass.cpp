@@ -43,7 +43,7 @@ void ShadingPass::Shade(const View& view, const Lights& lights, const Pictures& 
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  glDepthFunc(GL_LESS);  // only where a surface was drawn
+  glDepthFunc(GL_LESS);  // only pixels with a surface
   shade_.Use();
   glBindTextureUnit(0, p.albedo.id());
   glBindTextureUnit(1, p.normal.id());

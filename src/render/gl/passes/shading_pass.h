@@ -11,27 +11,27 @@
 
 namespace tera {
 
-/// Light sources of an image.
+/// The light sources of an image.
 struct Lights {
   const Daylight& daylight;
   const ShadowMap& sun_shadows;
   const LampLights& lamps;
-  const GroundTextures* ground;  ///< source of the ground's shadow on surfaces; null without ground
+  const GroundTextures* ground;  ///< holds the ground's shadow on surfaces; null without ground
 };
 
-/// Shades the visible surfaces: radiance under sun, sky and lamps.
+/// Computes the radiance of the visible surfaces under sun, sky and lamps.
 ///
-/// Model   ambient occlusion is computed at half resolution and smoothed. Each pixel with a surface
-///         is then lit once.
+/// Model   ambient occlusion is computed at half resolution and smoothed. Then each pixel with a
+///         surface is shaded once.
 class ShadingPass {
  public:
-  /// `has_lamps` compiles the lamp shading.
+  /// `has_lamps` compiles lamps into the shader.
   explicit ShadingPass(bool has_lamps);
 
-  /// Computes the sky fraction that near surfaces leave visible. Sets the viewport to the whole
-  /// image.
+  /// Computes the fraction of the sky that near surfaces leave visible. Sets the viewport to the
+  /// full image.
   void Occlude(const View& view, const Pictures& p) const;
-  /// Writes radiance to `target`, a framebuffer with the depth of `p`.
+  /// Writes the radiance to the framebuffer `target`, which has the depth of `p`.
   void Shade(const View& view, const Lights& lights, const Pictures& p, unsigned target) const;
 
  private:
@@ -39,7 +39,7 @@ class ShadingPass {
   Program blur_{"fullscreen.vert", "blur.frag"};
   Program shade_;
   FullScreen screen_;
-  GlObject no_ground_;  ///< a shadow below every surface
+  GlObject no_ground_;  ///< a shadow height below every surface
 };
 
 }  // namespace tera

@@ -10,9 +10,10 @@ namespace {
 
 constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
 constexpr double kNearRadius_m = 9.0;
-constexpr double kSnap_m = 4.0;  // grid of the near image's centre, so that it seldom moves
+// Grid of the fine image's centre; few camera motions thus require a redraw.
+constexpr double kSnap_m = 4.0;
 constexpr double kMargin_m = 0.5;
-constexpr std::size_t kKept = 6;  ///< cached static images; a rig has cameras at few places
+constexpr std::size_t kKept = 6;  ///< number of cached shadows; a rig has cameras at few places
 constexpr int kWidth_px = kNearSide_px + kFarSide_px,
               kHeight_px = std::max(kNearSide_px, kFarSide_px);
 
@@ -66,13 +67,14 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   drawn_centre_W_m_ = centre_W_m;
 }
 
-/// Sets the boxes of the images: around `centre_W_m`, and around all nodes.
+/// Sets the volumes of the fine image, around `centre_W_m`, and of the coarse image, around all
+/// nodes.
 void ShadowMap::Cover(const Vec3& centre_W_m, const Eigen::AlignedBox3d& all_L_m) {
   Eigen::AlignedBox3d all = all_L_m;
   if (all.isEmpty()) all.extend(Vec3::Zero());
   far_.box_L_m = {all.min() - Vec3::Constant(kMargin_m), all.max() + Vec3::Constant(kMargin_m)};
   const Vec3 centre_L_m = R_LW_ * centre_W_m;
-  near_.box_L_m = far_.box_L_m;  // along the light: all possible occluders
+  near_.box_L_m = far_.box_L_m;  // along the light: includes all possible occluders
   for (int k = 0; k < 2; ++k) {
     near_.box_L_m.min()[k] = std::max(centre_L_m[k] - kNearRadius_m, far_.box_L_m.min()[k]);
     near_.box_L_m.max()[k] = std::min(centre_L_m[k] + kNearRadius_m, far_.box_L_m.max()[k]);
@@ -83,7 +85,7 @@ void ShadowMap::Cover(const Vec3& centre_W_m, const Eigen::AlignedBox3d& all_L_m
   }
 }
 
-/// Marks moved bodies; true if a body moves for the first time.
+/// Marks the bodies that have moved. True if a body moves for the first time.
 bool ShadowMap::TakeMoved(const SceneState& state) {
   if (first_poses_.size() != state.X_WB.size()) {
     first_poses_ = state.X_WB;
@@ -123,21 +125,22 @@ const ShadowMap::Standing& ShadowMap::StandingFor(const NodeRenderer& nodes) {
   return standing_.emplace_back(std::move(made));
 }
 
-/// Draws the static or the moving nodes from the sun.
+/// Draws the static nodes (`standing`) or the moving nodes, seen from the sun.
 void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, bool standing) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   const auto is_wanted = [&](const SceneNode& node) {
     return standing == (node.shape < 0 && !has_moved_[static_cast<std::size_t>(node.body)]);
   };
-  // Seen from the sun, a shadow coincides with its node. The coarse image therefore omits nodes
-  // that lie completely in the fine image. Nodes outside the fine image cast no shadow within it.
-  const auto gap_m = [&](const Vec3& centre_W_m) {  // distance inside the fine image's border
+  // Distance of a point from the fine image's border, positive inside. Seen from the sun, a shadow
+  // lies exactly behind its node. The coarse image therefore omits nodes that lie completely within
+  // the fine image. Nodes outside the fine image cast no shadow within it.
+  const auto gap_m = [&](const Vec3& centre_W_m) {
     const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
     const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
                high = near_.box_L_m.max().head<2>() - p_L;
     return std::min(low.minCoeff(), high.minCoeff());
   };
-  // The images contain each node's whole extent along the light, so the near plane cuts none.
+  // The volumes contain each node completely along the light, so the near plane cuts no node.
   const auto is_whole = [](const SceneNode&, const Vec3&, double) { return true; };
   AimAt(near_);
   nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c,

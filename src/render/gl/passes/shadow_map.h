@@ -7,27 +7,28 @@
 
 namespace tera {
 
-/// Sun shadows of the nodes. GroundTextures holds the ground's own shadow.
+/// Shadows that the sun casts by the nodes. GroundTextures holds the shadow of the ground.
 ///
-/// Frames  L sun's frame: z towards the sun, origin at W's.
-/// Model   one depth texture with two orthographic images of the nodes: a fine image near the
-///         camera and a coarse image of all nodes. It is redrawn only when a node has moved.
-///         Shadows of static bodies are cached for the last camera positions; moving bodies are
-///         drawn over a copy, with identical texels.
+/// Frames  L has its origin at that of W, and z towards the sun.
+/// Model   one depth texture contains two orthographic images of the nodes: a fine one near the
+///         camera and a coarse one of all nodes. It is redrawn only when a node or the camera has
+///         moved.
+///         Shadows of static bodies are cached for the last few camera positions. Moving bodies are
+///         drawn over a copy of the cache; the texels equal those of a full redraw.
 class ShadowMap {
  public:
   explicit ShadowMap(const Vec3& to_sun_W);
 
   void Update(const SceneState& state, const Vec3& eye_W_m, NodeRenderer* nodes);
-  /// Binds the texture to `unit` and sets the uniforms that map eye-relative positions to it.
+  /// Binds the texture to `unit`. Sets the uniforms that map eye-relative positions to it.
   void Bind(unsigned unit, const Vec3& eye_W_m, const Program& program) const;
 
  private:
   struct Picture {
-    int left_px, side_px;         ///< its square in the texture
-    Eigen::AlignedBox3d box_L_m;  ///< covered volume
+    int left_px, side_px;         ///< square of this image in the texture
+    Eigen::AlignedBox3d box_L_m;  ///< volume that the image shows
   };
-  /// Shadows of static nodes, for images of these boxes.
+  /// Cached shadows of the static nodes, for a fine and a coarse image of these volumes.
   struct Standing {
     Eigen::AlignedBox3d near_box_L_m, far_box_L_m;
     GlObject texture, framebuffer;

@@ -11,29 +11,32 @@ namespace tera {
 namespace {
 
 constexpr double kMinSunHeight_rad = 2.0 * kDeg;
-constexpr double kGroundAlbedo = 0.22;  // for the light reflected from below
-// Haze over the sky. Its density falls with this scale height. Its extinction is a fraction of the
-// fog's, because fog lies lower. The last constant keeps the path along the horizon finite.
+constexpr double kGroundAlbedo = 0.22;  // albedo of the ground that lights surfaces from below
+// Haze in the sky. Its density falls exponentially with this scale height. Its extinction is a
+// fraction of the fog's, because fog lies lower. kHazeHorizon keeps the path along the horizon
+// finite.
 constexpr double kHazeScaleHeight_m = 1200.0;
 constexpr double kHazeShare = 0.02;
 constexpr double kHazeHorizon = 0.004;
-// Clouds: noise over a plane; the horizon term limits its compression at low elevation.
+// Thin clouds: noise on a horizontal plane above the viewer.
 constexpr float kCloudCover = 0.5f;     // noise above this value is cloud
-constexpr float kCloudEdge = 0.25f;     // noise range from clear to dense
-constexpr float kCloudOpacity = 0.75f;  // opacity of a dense cloud
+constexpr float kCloudEdge = 0.25f;     // noise range from clear to full opacity
+constexpr float kCloudOpacity = 0.75f;  // opacity of the densest cloud
 constexpr double kCloudScale = 0.16;    // noise periods per tangent of the zenith angle
-constexpr double kCloudHorizon = 0.12;  // added to the sine of elevation
-constexpr double kCloudStretch = 0.6;   // along y
-constexpr double kCloudFade = 6;        // clouds fade in over 1 / this sine of elevation
-const Vec2 kCloudOffset(0.31, 0.67);    // offset to a suitable part of the noise
-constexpr float kCloudSun = 0.22f;      // fraction of the sun's illuminance
-constexpr float kCloudZenith = 0.5f;    // fraction of the zenith's radiance
-// Clouds of a given cover.
-constexpr float kGivenEdge = 0.08f;           // noise range from clear to dense
-constexpr float kGivenContrast = 0.5f;        // luminance contrast by the noise
+// Added to the sine of elevation: limits the compression of the noise near the horizon.
+constexpr double kCloudHorizon = 0.12;
+constexpr double kCloudStretch = 0.6;  // along y
+constexpr double kCloudFade = 6;  // clouds fade in over the sine of elevation from 0 to 1 / this
+const Vec2 kCloudOffset(0.31, 0.67);  // selects a suitable part of the noise
+constexpr float kCloudSun = 0.22f;    // radiance of clouds: this fraction of the sun's illuminance
+// Radiance of clouds: plus this fraction of the zenith's radiance.
+constexpr float kCloudZenith = 0.5f;
+// Clouds of a given cover:
+constexpr float kGivenEdge = 0.08f;           // noise range from clear to full opacity
+constexpr float kGivenContrast = 0.5f;        // contrast of luminance by the noise
 constexpr float kOvercastHorizon = 1 / 3.0f;  // fraction of the zenith's luminance
 
-/// Perez's five coefficients, linear in turbidity.
+/// Perez's sky pattern with five coefficients, which are linear in turbidity.
 struct Perez {
   double a, b, c, d, e;
 
@@ -82,7 +85,7 @@ Eigen::Vector3f RgbFromYxy(double luminance, double x, double y) {
 
 double Luminance(const Vec3& rgb) { return rgb.dot(Vec3(0.2126, 0.7152, 0.0722)); }
 
-/// Colour of sunlight after the atmosphere, with luminance 1.
+/// Colour of sunlight at the ground, with luminance 1.
 Vec3 SunColour(double turbidity, double height_rad) {
   const double height_deg = height_rad / kDeg;
   const double air_mass =
@@ -105,7 +108,7 @@ Vec3 TexelDirection(int column, int row) {
   return {horizontal * std::cos(azimuth_rad), horizontal * std::sin(azimuth_rad), z};
 }
 
-/// Noise of the clouds, which is that of all skies.
+/// Cloud noise in a direction. It is the same for all skies.
 float CloudNoise(const Vec3& d) {
   static const LatticeNoise noise("render/clouds", 8, 6);
   const double reach = kCloudScale / (d.z() + kCloudHorizon);
@@ -113,7 +116,7 @@ float CloudNoise(const Vec3& d) {
                   kCloudOffset.y() + d.y() * reach * kCloudStretch);
 }
 
-/// Directions of all texels with the noise there, row by row.
+/// Direction and cloud noise of each texel, row by row.
 struct TexelNoise {
   Vec3 direction_W;
   float noise;
@@ -133,8 +136,8 @@ const std::vector<TexelNoise>& TexelNoises() {
   return noises;
 }
 
-/// Illuminance of level ground by a sky: integral of radiance times the sine of elevation over the
-/// upper hemisphere.
+/// Illuminance of level ground by the sky: the integral of radiance times the sine of elevation
+/// over the upper hemisphere.
 template <typename RadianceOf>
 Eigen::Vector3f LevelSum(const RadianceOf& radiance_of) {
   constexpr int kAzimuths = 64, kHeights = 32;
@@ -176,7 +179,7 @@ Sky::Sky(const Environment& environment)
 }
 
 Eigen::Vector3f Sky::ClearSky(const Vec3& direction_W) const {
-  constexpr double kLowest = 0.02;  // the model has a pole at the horizon
+  constexpr double kLowest = 0.02;  // the model diverges at the horizon
   const double sun_zenith_rad = std::acos(std::clamp(to_sun_W_.z(), -1.0, 1.0));
   const double gamma_rad = std::acos(std::clamp(direction_W.dot(to_sun_W_), -1.0, 1.0));
   const double cos_theta = std::max(direction_W.z(), kLowest);
@@ -195,8 +198,8 @@ void Sky::SetIlluminance(double level_lx) {
   sky_scale_ = static_cast<float>(level_lx / Luminance(now_lx.cast<double>()));
 }
 
-/// Finds the noise threshold exceeded in the fraction `cover` of the sky, and the clouds'
-/// luminance.
+/// Finds the noise threshold that the fraction `cover` of the sky exceeds, and the luminance of the
+/// clouds.
 void Sky::FitClouds(double cover) {
   std::vector<float> noise;
   LevelSum([&](const Vec3& d) {
@@ -243,7 +246,8 @@ Eigen::Vector3f Sky::CloudySky(const Vec3& direction_W) const {
   return (1 - share) * ClearSky(direction_W) + share * CloudRadiance(direction_W);
 }
 
-/// Fits a + b c + c c^2 by least squares to the sky slightly above the horizon, with mean clouds.
+/// Fits the airlight by least squares to the clear sky slightly above the horizon. With a cloud
+/// cover, blends it with the clouds' luminance there.
 void Sky::FitAirlight() {
   constexpr int kSamples = 64;
   constexpr double kHeightAboveHorizon = 0.06;
@@ -288,7 +292,7 @@ void Sky::Paint(double fog_visibility_m) {
   texels_.reserve(TexelNoises().size());
   for (const auto& [d, noise] : TexelNoises()) {
     Eigen::Vector3f radiance = cloud_cover_ ? CloudySky(d) : ThinClouds(d, noise);
-    // Haze of exponential density: zenith optical depth times the air mass.
+    // Optical depth of haze with exponential density: depth at the zenith times the air mass.
     const double haze =
         1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));
     radiance += static_cast<float>(haze) * (Airlight(d) - radiance);
@@ -306,7 +310,7 @@ Eigen::Vector3f Sky::Radiance(const Vec3& direction_W) const {
 
 void Sky::ProjectDiffuse() {
   constexpr int kAzimuths = 64, kHeights = 64;
-  // Sky irradiance on level ground determines the light reflected from the ground.
+  // The ground reflects the sun and the sky's illuminance of level ground.
   Eigen::Vector3f level = Eigen::Vector3f::Zero();
   const float solid = static_cast<float>(2 * kPi / kAzimuths * 2.0 / kHeights);
   for (int pass = 0; pass < 2; ++pass) {
@@ -314,7 +318,7 @@ void Sky::ProjectDiffuse() {
     if (pass == 1) {
       ground_ = (level + sun_lx_ * static_cast<float>(to_sun_W_.z())) *
                 static_cast<float>(kGroundAlbedo / kPi);
-      // The ground has the colour of soil, or of its snow cover.
+      // The ground has the colour of soil, blended with snow.
       ground_ = ground_.cwiseProduct(Eigen::Vector3f(1.2f, 0.98f, 0.78f));
       if (snow_share_ > 0) {
         const Eigen::Vector3f white = (level + sun_lx_ * static_cast<float>(to_sun_W_.z()))
@@ -345,8 +349,8 @@ void Sky::ProjectDiffuse() {
       }
     }
   }
-  // Convolution with the cosine lobe over pi: 1, 2/3, 1/4 for bands 0, 1, 2. The factors include
-  // the basis constants, so that the shader evaluates plain polynomials.
+  // Convolution with the cosine lobe over pi: factors 1, 2/3, 1/4 for bands 0, 1, 2. The scale
+  // includes the constants of the basis, so that the shader evaluates plain polynomials.
   const float scale[9] = {0.282095f,         0.488603f * 2 / 3, 0.488603f * 2 / 3,
                           0.488603f * 2 / 3, 1.092548f / 4,     1.092548f / 4,
                           0.315392f / 4,     1.092548f / 4,     0.546274f / 4};

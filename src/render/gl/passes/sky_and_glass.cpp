@@ -34,7 +34,7 @@ void SkyAndGlass::DrawSky(const View& view, const Daylight& daylight, const Pict
   glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  glDepthFunc(GL_EQUAL);  // only without a surface
+  glDepthFunc(GL_EQUAL);  // only pixels without a surface
   sky_.Use();
   daylight.BindSky(0, sky_);
   daylight.Light(sky_);

@@ -9,10 +9,11 @@
 
 namespace tera {
 
-/// Additions to the lit surfaces of an image: emission, sky behind them, glass in front of them.
+/// Adds to a shaded image: light of emissive surfaces, the sky behind surfaces, and glass in front
+/// of them.
 class SkyAndGlass {
  public:
-  /// Draws over the radiance of `p`; glass also writes labels and normals.
+  /// Draws into the radiance of `p`. Glass also writes labels and normals.
   void Draw(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
             const Pictures& p) const;
 

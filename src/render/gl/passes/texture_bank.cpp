@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr float kMostAnisotropy = 8;  ///< ground-like faces appear at grazing angles
+constexpr float kMostAnisotropy = 8;  ///< textured faces often appear at grazing angles
 constexpr unsigned kFirstUnit = 10;   ///< first texture unit; other passes use the units below
 
 GLint ModeOf(Texture::Wrap wrap) {

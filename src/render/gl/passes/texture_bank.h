@@ -10,16 +10,17 @@
 
 namespace tera {
 
-/// Material textures on the GPU, with mipmaps; several materials share an image.
+/// Material textures on the GPU, with mipmaps. Materials with equal images share a texture.
 class TextureBank {
  public:
-  /// Index of a material; kPlain for a material without textures and emission.
+  /// Adds a material and returns its index. A material with neither textures nor emission has the
+  /// index kPlain.
   static constexpr int kPlain = -1;
   int Add(const Material& material);
 
   bool gives_light(int number) const { return number != kPlain && looks_[number].gives_light; }
-  /// Sets the inputs of node.frag with TEXTURED, and of emissive.frag, for a material that is not
-  /// plain.
+  /// Sets the material inputs of node.frag (with TEXTURED) and of emissive.frag. The material must
+  /// not be kPlain.
   void Bind(int number, const Program& program) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// Converts radiance to sRGB, or keeps a linear image linear, and smooths edges.
+/// Last pass: converts radiance to sRGB (or keeps a linear image linear) and smooths edges.
 class TonePass {
  public:
   void Draw(const Pictures& p) const;

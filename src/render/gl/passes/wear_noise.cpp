@@ -13,7 +13,7 @@ constexpr int kSide = WearNoise::kSide;
 constexpr std::size_t kCells = static_cast<std::size_t>(kSide) * kSide * kSide;
 constexpr double kDeviation = 0.2;
 
-/// Random lattice of `period` points per side, resampled to kSide points per side.
+/// A random lattice of `period` points per side, interpolated at kSide points per side.
 class Octave {
  public:
   Octave(const std::string& name, int period) : period_(period) {

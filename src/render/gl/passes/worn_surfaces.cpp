@@ -8,9 +8,10 @@
 namespace tera {
 namespace {
 
-constexpr unsigned kNoiseUnit = 9;  // texture unit below those of materials
+constexpr unsigned kNoiseUnit = 9;  // materials use the texture units above
 constexpr double kMudSaturation = 0.35;
-constexpr double kGreyDust = 0.35;  // blend of fine dust from the soil's colour to grey
+// Share of grey in the colour of fine dust; the rest is the soil's colour.
+constexpr double kGreyDust = 0.35;
 
 GlObject NoiseTexture() {
   const WearNoise noise = MakeWearNoise();
@@ -34,9 +35,10 @@ Eigen::Vector3f Root(const Vec3& albedo) {
   return albedo.cwiseMax(0.0).cwiseMin(1.0).cwiseSqrt().cast<float>();
 }
 
-/// Offset of a body in the noise, so that equal parts wear differently.
+/// Offset of a body's marks in the noise, so that equal parts look different.
 Eigen::Vector3f PlaceInNoise(int body) {
-  const Vec3 steps(0.7548776662, 0.5698402909, 0.3819660113);  // irrational: all bodies differ
+  // Irrational steps: no two bodies coincide.
+  const Vec3 steps(0.7548776662, 0.5698402909, 0.3819660113);
   const Vec3 at = (body + 1) * steps;
   return (at - Vec3(at.array().floor())).cast<float>();
 }

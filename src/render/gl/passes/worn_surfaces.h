@@ -7,15 +7,15 @@ namespace tera {
 
 /// Draws nodes with dust, mud, scratches and rust.
 ///
-/// Model   node.frag with wear.glsl: colour, roughness and metallic of each pixel depend on its
-///         position on the body; normals, depth and labels do not change.
+/// Model   node.frag with wear.glsl: colour, roughness and metallic of a pixel depend on its
+///         position on the body. Normals, depth and labels do not change.
 /// Omits   thickness: mud does not change outlines. Glass stays clean.
 class WornSurfaces {
  public:
   WornSurfaces();
-  /// Sets the projection of subsequent draws.
+  /// Sets the projection of the next draws.
   void SetView(const Eigen::Matrix4f& clip_from_relative) const;
-  /// Activates the program for a worn node and sets its uniforms; with or without textures.
+  /// Makes the program of a worn node current and sets its uniforms.
   const Program& Use(const SceneNode& node, bool textured) const;
 
  private:

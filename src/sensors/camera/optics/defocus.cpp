@@ -8,9 +8,9 @@ namespace tera {
 namespace {
 
 constexpr int kTile_px = 16;
-constexpr float kBehind = 1.01f;  // depth factor beyond which a surface lies behind
+constexpr float kBehind = 1.01f;  // ratio of depths above which a surface counts as behind
 
-/// Kernel number and depth of each pixel; missing depth is infinite.
+/// Kernel number and depth of each pixel; no depth counts as infinite.
 struct Discs {
   Image<std::uint16_t> number;
   Image<float> depth_m;
@@ -26,7 +26,7 @@ Discs DiscsOf(const ThinLens& lens, const Image<float>& depth_m) {
   return discs;
 }
 
-/// Distance around each tile within which discs may reach its pixels.
+/// For each tile, the distance within which discs may reach its pixels.
 Image<int> LooksOf(const Discs& discs) {
   const int nx = (discs.number.width_px + kTile_px - 1) / kTile_px;
   const int ny = (discs.number.height_px + kTile_px - 1) / kTile_px;
@@ -52,7 +52,7 @@ Image<int> LooksOf(const Discs& discs) {
   return look;
 }
 
-/// Light with the covered fraction of a pixel.
+/// Light of a layer, with its coverage of the pixel.
 struct Layer {
   Eigen::Vector3f light = Eigen::Vector3f::Zero();
   float cover = 0;
@@ -108,8 +108,7 @@ int DiscKernels::ReachOf(int number) {
 DiscKernels::DiscKernels(double most_radius_px) {
   for (int number = 0; number <= NumberOf(most_radius_px); ++number) {
     const int side = ReachOf(number) + 1;
-    // A pixel's light comes from its whole area, of variance 1 / 12 per axis; a disc has
-    // radius^2 / 4.
+    // Light spread over a pixel has a variance of 1 / 12 per axis, a disc has radius^2 / 4.
     const double radius_px = std::sqrt(
         std::max(double(number * number) / (kStepsPerPixel * kStepsPerPixel) - 1.0 / 3, 0.0));
     std::vector<float> quarter(static_cast<std::size_t>(side) * side, 0);

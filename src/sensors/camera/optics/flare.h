@@ -11,12 +11,12 @@ namespace tera {
 
 /// Ghosts of a small bright source in the image.
 ///
-/// Model   light reflected by two lens surfaces forms an image of the round pupil at m (x - c) + c,
-///         with the source at x and the principal point c. The ghost has the squared reflectance
-///         times the source's light, spread uniformly with a soft rim. The camera's stream supplies
-///         positions m, sizes and tints.
-/// Omits   surfaces of real lenses; ghosts cut by rims; ghosts of sources outside the image.
-/// Source  the linear position and the reflectances: Lee and Eisemann 2013, "Practical real-time
+/// Model   Light reflected by two lens surfaces forms an image of the round pupil at c + m (x - c),
+///         where x is the source and c the principal point. A ghost contains the squared
+///         reflectance times the light of the source, uniform with a soft rim. Positions m, sizes
+///         and tints are drawn from the camera's random stream.
+/// Omits   Surfaces of real lenses; ghosts cut by rims; ghosts of sources outside the image.
+/// Source  The linear position and the reflectances: Lee and Eisemann 2013, "Practical real-time
 ///         lens-flare rendering".
 class Flare {
  public:
@@ -28,9 +28,9 @@ class Flare {
 
  private:
   struct Ghost {
-    double place;   ///< m
-    double radius;  ///< fraction of the focal length
-    Vec3 tint;      ///< mean 1
+    double place;   ///< factor m of the position
+    double radius;  ///< over the focal length
+    Vec3 tint;      ///< colour, with mean 1
   };
 
   FlareModel model_;

@@ -14,8 +14,7 @@ cv::Mat View(const std::vector<float>& values, int width, int height) {
   return {height, width, CV_32FC1, const_cast<float*>(values.data())};
 }
 
-/// Scattered fraction on a pixel at that offset: a mean over pixel parts where the law curves
-/// within a pixel.
+/// Scattered share on a pixel at an offset. Near the centre it is a mean over parts of the pixel.
 double SharePerPixel(const ScatterLaw& law, int dx, int dy, const Vec2& step_rad) {
   const int parts = std::max(std::abs(dx), std::abs(dy)) <= 3 ? 8 : 1;
   double sum = 0;

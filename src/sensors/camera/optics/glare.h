@@ -10,9 +10,9 @@ namespace tera {
 
 /// Angular distribution of the light that a lens scatters.
 ///
-/// Model   the lens scatters the fraction s of the light, symmetrically about its direction. The
-///         radiant share per steradian at angle t is C (1 + (t / core)^2)^(-slope / 2). C
-///         normalizes the integral within 1 rad. Slope 2 is the law of Stiles and Holladay; s is
+/// Model   The lens scatters the share s of the light, symmetrically about its direction. The
+///         scattered share per steradian at angle t is C (1 + (t / core)^2)^(-slope / 2). C makes
+///         the integral within 1 rad equal to 1. Slope 2 is the law of Stiles and Holladay. s is
 ///         about the veiling glare index, 1 to 3 % for photographic lenses.
 /// Source  Stiles and Holladay's E / t^2: Vos 1984, "Disability glare - a state of the art report";
 ///         index: ISO 9358; the form: Harvey 1976, "Light-scattering characteristics of optical
@@ -21,20 +21,20 @@ class ScatterLaw {
  public:
   explicit ScatterLaw(const GlareModel& model);
 
-  /// Fraction of the scattered light per steradian.
+  /// Share of the scattered light per steradian.
   double At(double angle_rad) const;
 
  private:
   double core_rad_, power_, scale_;
 };
 
-/// Veiling glare: light that the lens scatters from one image region over the others.
+/// Veiling glare: light that the lens scatters from each image region to all others.
 ///
-/// Model   ScatterLaw spreads a fraction s of each pixel's light. The whole image uses the angular
-///         scale on the axis. The surroundings of the image are as bright as its mean. The
-///         convolution runs on a coarser image, whose pixels are at most as large as the law's
-///         core.
-/// Omits   the off-axis angular scale of wide lenses.
+/// Model   ScatterLaw spreads the share s of the light of each pixel. The whole image uses the
+///         angular scale on the axis. The surroundings of the image have its mean luminance. The
+///         convolution runs on a coarser image, whose pixels are at most as large as the core of
+///         the law.
+/// Omits   The off-axis angular scale of wide lenses.
 class PictureGlare {
  public:
   PictureGlare(const GlareModel& model, const CameraIntrinsics& camera);
@@ -45,12 +45,12 @@ class PictureGlare {
  private:
   GlareModel model_;
   int coarser_, width_, height_;           ///< size of the coarser image
-  int padded_width_, padded_height_;       ///< size for its transform
-  std::vector<float> spectrum_, covered_;  ///< kernel's spectrum; its sum over the image
+  int padded_width_, padded_height_;       ///< size of its padded transform
+  std::vector<float> spectrum_, covered_;  ///< spectrum of the kernel; its sum over the image
 };
 
-/// Adds the scattered light of a small bright source at `to_source_C`. The source illuminates a
-/// facing plane in front of the lens with `illuminance_lx`.
+/// Adds the scattered light of a small bright source in the direction `to_source_C`. The source
+/// illuminates a plane that faces it in front of the lens with `illuminance_lx`.
 void AddSourceGlare(const GlareModel& model, const std::vector<Vec3>& rays_C,
                     const Vec3& to_source_C, const Vec3& illuminance_lx, Image<float>* picture);
 

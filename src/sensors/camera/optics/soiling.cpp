@@ -10,8 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr double kSpeckSpread = 0.6, kDropSpread = 0.45;  // deviation of the logarithm of sizes
-constexpr double kSlopeAtRim = 0.8;  // slope of a drop's rim: its radius over its sphere's radius
+// standard deviation of the logarithm of sizes
+constexpr double kSpeckSpread = 0.6, kDropSpread = 0.45;
+constexpr double kSlopeAtRim = 0.8;  // radius of a drop over the radius of its sphere
 constexpr double kMostDisc_px = 400;
 
 cv::Mat View(const Image<float>& picture) {
@@ -146,7 +147,7 @@ void Soiling::Spread(Image<float>* picture) const {
 void Soiling::Apply(const Vec3& sun_lx, Image<float>* picture) const {
   Image<float> through(picture->width_px, picture->height_px, 3), covered = drops_;
   if (!drops_.empty()) {
-    // Image that the drops show, blurred together with the drops' coverage.
+    // The image shown by the drops, blurred together with their coverage.
     cv::Mat shown = View(through);
     cv::remap(View(*picture), shown, View(source_px_), cv::noArray(), cv::INTER_LINEAR,
               cv::BORDER_REFLECT);

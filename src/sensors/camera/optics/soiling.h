@@ -11,32 +11,35 @@ namespace tera {
 
 /// A film of dust, specks of dirt and drops of water on the glass in front of a lens.
 ///
-/// Frames  positions on the glass are in image pixels: a position x mm off the axis covers the
-///         pixel at f x / distance from the principal point. Angular lenses stand behind a dome.
-/// Model   matter on the glass is far out of focus: its image is spread over a disc of diameter
-///         A / distance, A the pupil's. A film's density varies by smooth noise about its mean. A
-///         speck is a patch with an uneven rim that absorbs most of the light. The film scatters
-///         the fraction kScattered of the light it removes, a speck kSpeckScattered. Scattered
-///         light comes uniformly from the whole image, and from the sun as through a diffuse sheet.
-///         A drop is a spherical cap of water that deflects rays by (n - 1) times its slope: it
-///         shows the scene small and upside down. The camera's stream supplies positions, sizes
-///         (log-normal) and shapes; they are constant.
-/// Omits   colours of dirt; dispersion and reflections of drops; running drops; rays through a drop
-///         that would deflect by more than its slope allows.
-/// Source  the pupil's disc and attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur, Nayar
+/// Frames  Positions on the glass are in image pixels: a position x mm off the axis covers the
+///         pixel at f x / distance from the principal point. For angular lenses the glass is a
+///         dome.
+/// Model   Blur: matter on the glass is far out of focus. Its image is spread over a disc of
+///         diameter A / distance, where A is the diameter of the pupil.
+///         Dirt: the density of a film varies by smooth noise about its mean. A speck is a patch
+///         with an uneven rim that absorbs most of the light. A film scatters the share kScattered
+///         of the light that it removes, a speck kSpeckScattered. Scattered light comes uniformly
+///         from the whole image, and from the sun as through a diffuse sheet.
+///         Drops: a drop is a spherical cap of water that deflects rays by (n - 1) times its slope.
+///         It shows the scene small and upside down.
+///         Positions, sizes (log-normal) and shapes are drawn from the camera's random stream and
+///         stay constant.
+/// Omits   Colours of dirt; dispersion and reflections of drops; running drops; stronger deflection
+///         than that of a thin prism.
+/// Source  Disc of the pupil, attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur, Nayar
 ///         2009, "Removing image artifacts due to dirty camera lenses and thin occluders";
 ///         refraction by a thin prism: any textbook of optics.
 class Soiling {
  public:
-  /// `pupil_mm` is the pupil's diameter.
+  /// `pupil_mm` is the diameter of the pupil.
   Soiling(const SoilingModel& model, const CameraIntrinsics& camera, double pupil_mm,
           const Stream& draw, const std::string& stream_name);
 
-  /// Undeviated transmittance of the glass per pixel.
+  /// Transmittance of the glass for undeflected light, per pixel.
   const Image<float>& transmitted() const { return transmitted_; }
   /// Diameter of the disc of a point on the glass.
   double disc_px() const { return disc_px_; }
-  /// Image point that a drop's pixel shows, relative to the drop's centre. `sphere_mm` is the
+  /// Image point shown by a pixel of a drop, relative to the centre of the drop. `sphere_mm` is the
   /// radius of the drop's sphere.
   static Vec2 Turned_px(const Vec2& from_middle_px, double px_per_mm, double focal_px,
                         double sphere_mm);
@@ -63,8 +66,8 @@ class Soiling {
   double px_per_mm_, disc_px_;
   Image<float> film_;         ///< transmittance of the film
   Image<float> specks_;       ///< transmittance of the specks
-  Image<float> drops_;        ///< covered fraction by drops
-  Image<float> source_px_;    ///< 2 channels: image point that a drop's pixel shows
+  Image<float> drops_;        ///< share covered by drops
+  Image<float> source_px_;    ///< 2 channels: image point that a pixel of a drop shows
   Image<float> transmitted_;  ///< total transmittance
 };
 

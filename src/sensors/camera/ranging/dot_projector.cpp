@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr double kSameDepth = 0.02;  // relative depth tolerance of the projector's line of sight
+constexpr double kSameDepth = 0.02;  // relative tolerance of depth on the projector's line of sight
 constexpr double kLeast_lx = 1e-4;   // scene light below which reflectance is undetermined
 constexpr int kParts = 3;            // parts of a pixel per axis
 
@@ -23,7 +23,7 @@ bool Reaches(const LitEye& eye, const Vec3& p_P_m) {
   return first_m == 0 || p_P_m.z() < (1 + kSameDepth) * first_m;
 }
 
-/// Mean of the pattern over a pixel's area.
+/// Mean of the pattern over the area of a pixel.
 double PatternOver(const DotPattern& pattern, const LitEye& eye, int x, int y, double depth_m) {
   double sum = 0;
   for (int k = 0; k < kParts * kParts; ++k) {
@@ -53,7 +53,7 @@ DotPattern::DotPattern(const DotProjector& projector, const Stream& draw)
 }
 
 double DotPattern::At(const Vec2& tangent) const {
-  constexpr double kReach = 4;  // in standard deviations
+  constexpr double kReach = 4;  // reach of a dot, in standard deviations
   const Vec2 at = tangent / cell_ + Vec2::Constant(0.5 * side_);
   const int column = static_cast<int>(std::floor(at.x())),
             row = static_cast<int>(std::floor(at.y()));

@@ -11,11 +11,11 @@ namespace tera {
 
 /// A dot projector between the eyes of a stereo camera.
 ///
-/// Model   dots at random positions in cells of a grid over direction tangents. All dots have the
-///         same intensity and a Gaussian profile, with a standard deviation of `dot_share` of a
-///         cell. A surface visible to the projector gains its own luminance times the dots'
-///         illuminance over the scene's.
-/// Omits   laser speckle; the cosine of the dots' incidence relative to the scene light's.
+/// Model   Dots at random positions in the cells of a grid over direction tangents. All dots have
+///         the same intensity and a Gaussian profile, with a standard deviation of `dot_share` of a
+///         cell. A surface visible to the projector becomes brighter by the factor 1 + illuminance
+///         of the dots over that of the scene.
+/// Omits   Laser speckle; the cosine of the dots' incidence relative to that of the scene's light.
 struct DotProjector {
   double intensity_cd = 0;  ///< peak intensity of a dot, as visible light
   double cell_deg = 0.5;    ///< side of a cell
@@ -24,37 +24,37 @@ struct DotProjector {
 
 void Serialize(ModelArchive* archive, DotProjector* model);
 
-/// Directions of a projector's dots.
+/// Directions of the dots of a projector.
 ///
 /// Frames  P at the middle of the baseline, axes of C.
 class DotPattern {
  public:
   DotPattern(const DotProjector& projector, const Stream& draw);
 
-  /// Intensity relative to a dot's peak, in the direction (x, y, 1); zero beyond kWidest.
+  /// Intensity over the peak of a dot, in the direction (x, y, 1); zero beyond kWidest.
   double At(const Vec2& tangent) const;
 
-  static constexpr double kWidest = 1.5;  ///< tangent
+  static constexpr double kWidest = 1.5;  ///< greatest tangent of a direction
 
  private:
   double cell_, share_;
-  int side_;                ///< cells per axis
-  std::vector<Vec2> dots_;  ///< one per cell, in cell units
+  int side_;                ///< number of cells per axis
+  std::vector<Vec2> dots_;  ///< one per cell, in units of cells
 };
 
-/// Luminance of the brightest pixel under a light meter's exposure for the scene's ground.
+/// Luminance of the brightest pixel at the exposure of a light meter on the scene.
 double MeteredWhite_cdpm2(const Rasterizer& rasterizer);
 
-/// An eye with a view of a scene lit by a projector.
+/// An eye with its view of a scene lit by the projector.
 struct LitEye {
   const CameraIntrinsics& camera;
   const Pose& X_PE;               ///< pose of its optical frame
   const Image<float>& depth_m;    ///< depth in the eye's image
   const Image<float>& lux_share;  ///< Rasterizer::Render's `light` in the eye's image
-  const Image<float>& from_P_m;   ///< depth in the projector's view, with the same intrinsics
+  const Image<float>& from_P_m;   ///< depth in the view of the projector, with the same intrinsics
 };
 
-/// Adds the dots to the eye's one-channel luminance.
+/// Adds the dots to the one-channel luminance of an eye.
 void AddDots(const DotProjector& projector, const DotPattern& pattern, const LitEye& eye,
              Image<float>* luminance_cdpm2);
 

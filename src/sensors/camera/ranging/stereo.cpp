@@ -10,10 +10,10 @@
 namespace tera {
 namespace {
 
-constexpr double kDarkest_cdpm2 = 0.5;  // minimum mean luminance for full exposure
+constexpr double kDarkest_cdpm2 = 0.5;  // least mean luminance for full exposure
 constexpr double kSteps = 16;           // disparity steps per pixel of OpenCV's matcher
 
-/// An eye's image under scene light, with inputs for the projector.
+/// The image of an eye under scene light, with inputs for the projector.
 struct Seen {
   Image<float> luminance_cdpm2, depth_m, light;
 };
@@ -100,7 +100,7 @@ Stereo::Eyes Stereo::Look(std::int64_t k, const SeenScene& scene, Rasterizer* ra
 }
 
 Image<float> Stereo::Match(const Eyes& eyes) const {
-  // Penalties of disparity changes by one step and by more, as in OpenCV's samples.
+  // Penalties for changes of disparity by one step and by more, as in OpenCV's samples.
   const int area = model_.block_px * model_.block_px, small = 8 * area, large = 32 * area;
   constexpr int kBothWays_px = 1, kCap = 31, kSpeckle_px = 60, kSpeckleRange_px = 2;
   const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(

@@ -13,28 +13,28 @@
 
 namespace tera {
 
-/// Stereo matching of a depth camera.
 struct StereoModel {
   int disparities_px = 96;                ///< search range from 0; a multiple of 16
   int block_px = 5;                       ///< side of the matching window; odd
   int uniqueness_percent = 8;             ///< margin of the best match over the second best
-  double noise_dn = 1;                    ///< 1 sigma of each eye's grey level in 0..255
-  std::optional<DotProjector> projector;  ///< none: passive
+  double noise_dn = 1;                    ///< 1 sigma of the grey level of each eye, in 0..255
+  std::optional<DotProjector> projector;  ///< none for passive stereo
 };
 
 void Serialize(ModelArchive* archive, StereoModel* model);
 
 /// Depth by stereo matching of two eyes.
 ///
-/// Frames  left eye at the camera's C, the frame of the depth; right eye at x = baseline in C. Both
-///         eyes have the camera's intrinsics, without distortion.
-/// Model   each eye is rendered under scene light and dot projector, with noise and 8 bits. In
-///         sufficient light, the exposure sets the left eye's mean to kMean of its range. OpenCV's
-///         semi-global block matching finds disparities in steps of 1/16 px, with left-right check
-///         and speckle filter. Depth is f b / disparity. Depth is 0 without a match: surfaces
-///         visible to one eye, untextured, repetitive, or nearer than f b / disparities. It is also
-///         0 at the left rim of the image, which the search range leaves.
-/// Omits   infrared reflectances, which equal the visible reflectances; blur, distortion and
+/// Frames  The left eye is at the camera's C, the frame of the depth; the right eye is at x =
+///         baseline in C. Both eyes have the camera's intrinsics, without distortion.
+/// Model   Each eye is rendered under scene light and dot projector, with noise and 8 bits. The
+///         exposure sets the mean of the left eye to kMean of its range, if there is enough light.
+///         OpenCV's semi-global block matching finds disparities in steps of 1/16 px, with
+///         left-right check and speckle filter. Depth is f b / disparity. It is 0 without a match:
+///         for surfaces that only one eye sees, without texture, with repetitive texture, or nearer
+///         than f b / disparities. It is also 0 at the left rim of the image, which the search
+///         range cannot cover.
+/// Omits   Infrared reflectances, which are taken as the visible ones; blur, distortion and
 ///         misalignment of the eyes; filters that smooth depth and fill holes.
 /// Source  Hirschmueller 2008, "Stereo processing by semiglobal matching and mutual information";
 ///         OpenCV 4.6, StereoSGBM.

@@ -13,24 +13,25 @@ namespace tera {
 namespace {
 
 constexpr double kLight_mps = 299792458;
-constexpr double kDarkest_lx = 1e-4;  // scene light below which reflectance is undetermined
+constexpr double kDarkest_lx = 1e-4;  // scene light below which the reflectance is unknown
 
-/// Phase of light after the path `way_m`.
+/// Phase of light after a path.
 Phasor After(double way_m, double frequency_hz) {
   return std::polar(1.0, 2 * kPi * frequency_hz * way_m / kLight_mps);
 }
 
-/// Extinction and back-scatter of the camera's own light by air.
+/// Extinction and back-scatter of the camera's own light in the air.
 struct LitAir {
   double extinction_1pm;
-  Phasor scattered;  ///< light that the air returns, in the unit of DirectLight
+  Phasor scattered;  ///< light returned by the air, in the unit of DirectLight
 
   double TwoWay(double range_m) const { return std::exp(-2 * extinction_1pm * range_m); }
 };
 
 LitAir LitAirOf(const Weather& weather, double frequency_hz) {
-  constexpr double kNearest_m = 0.1;  // nearer, the lamp's light does not meet the eye's field
-  constexpr double kGrowth = 1.02;    // of steps
+  // nearer, the beam of the lamp is outside the field of the eye
+  constexpr double kNearest_m = 0.1;
+  constexpr double kGrowth = 1.02;  // growth factor of the steps
   constexpr double kFarthest_m = 50;
   const double fog_1pm = FogExtinction_1pm(weather.visibility_m);
   const double rain_1pm = Rain(weather.rain_mmph).Extinction_1pm();
@@ -84,7 +85,7 @@ Phasor LightOver(const std::vector<LitPatch>& others, const LitPatch& at, double
   for (const LitPatch& other : others) {
     const Vec3 way_C_m = at.p_C_m - other.p_C_m;
     const double d_m = way_C_m.norm();
-    // A near patch counts as a disc of its area, which bounds the exchange by its total emission.
+    // A near patch counts as a disc of its area, so that it passes on at most its total emission.
     if (!other.exists() || !(d_m > 0)) continue;
     const double r_m = other.p_C_m.norm();
     const double lit = CosineTo(other, -other.p_C_m) / (r_m * r_m);
@@ -137,7 +138,7 @@ std::vector<LitPatch> TimeOfFlight::PatchesOf(const std::vector<LitPatch>& parts
       const int u = (2 * x + wide_px) * model_.parts / 2, v = (2 * y + high_px) * model_.parts / 2;
       LitPatch patch = parts[static_cast<std::size_t>(v) * finer_.width_px + u];
       if (!patch.exists()) continue;
-      // An image cell covers dx dy z^3 / (f^2 r) of a facing plane.
+      // A cell of the image covers the area dx dy z^3 / (f^2 r) of a plane that faces the camera.
       const double z_m = patch.p_C_m.z(), r_m = patch.p_C_m.norm();
       const double facing = CosineTo(patch, -patch.p_C_m);
       if (facing < 0.05) continue;  // nearly edge-on

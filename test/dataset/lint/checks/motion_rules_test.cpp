@@ -80,7 +80,7 @@ TEST_F(MotionRules, AMachineThatFallsFreely) {
                    [](const LintFinding& finding) { return finding.rule->id == "poses.ground"; });
   ASSERT_NE(found, report.findings.end());
   EXPECT_EQ(found->channel, "truth/digger/pose.csv");
-  EXPECT_THAT(found->places.at(0).message, HasSubstr("falls freely for 0.8 s from here on"));
+  EXPECT_THAT(found->places.at(0).message, HasSubstr("falls freely for 0.8 s from this row"));
   // Rows are 0.02 s apart, the first on line 2; the tolerance takes in some before the fall.
   EXPECT_NEAR(found->places.at(0).line, 2 + 25, 10);
 }

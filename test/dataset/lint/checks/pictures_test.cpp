@@ -68,7 +68,7 @@ TEST_F(PictureRules, AnInstanceThatIsNotListed) {
 TEST_F(PictureRules, AClassThatIsNotTheInstances) {
   EditPicture<std::uint8_t>("semantic", kSecond, 1, [](auto* p) { p->at(3, 6) = 11; });
   EXPECT_THAT(Only("pictures.agree", "digger/front").places[0].message,
-              HasSubstr("1 pixels are person and of instance 1 (truck), which is truck"));
+              HasSubstr("1 pixels have class person but instance 1 (truck) of class truck"));
 }
 
 // A panoptic picture for each pair of class and instance, one of them with other numbers.
@@ -93,8 +93,8 @@ TEST_F(PictureRules, APanopticPictureOfOtherNumbers) {
     p->at(3, 6, 2) = p->at(4, 6, 2) = 1;
   });
   const auto& places = Only("pictures.agree", "digger/front").places;
-  EXPECT_EQ(places[0].message, "1 pixels have not the number of semantic/");
-  EXPECT_EQ(places[1].message, "2 pixels have not the number of instance/");
+  EXPECT_EQ(places[0].message, "1 pixels differ from semantic/");
+  EXPECT_EQ(places[1].message, "2 pixels differ from instance/");
 }
 
 TEST_F(PictureRules, DepthInTheSky) {
@@ -108,7 +108,8 @@ TEST_F(PictureRules, DistanceAndDepthTheOtherWayRound) {
   const std::string bytes = ReadWholeFile(run() / depth);
   Put(depth, ReadWholeFile(run() / distance));
   Put(distance, bytes);
-  EXPECT_THAT(Only("pictures.depth", "digger/front").places[0].message, HasSubstr("deeper than"));
+  EXPECT_THAT(Only("pictures.depth", "digger/front").places[0].message,
+              HasSubstr("more depth than"));
 }
 
 TEST_F(PictureRules, ANormalThatIsNotOfLengthOne) {
@@ -139,7 +140,7 @@ TEST_F(PictureRules, AFlowOfTheOtherSign) {
                                });
   }
   EXPECT_THAT(Only("pictures.motion", "digger/front").places[0].message,
-              HasSubstr("pixels of the ground move as the camera does"));
+              HasSubstr("ground pixels have the flow that the camera poses give"));
 }
 
 TEST_F(PictureRules, BoxesThatAreNoJson) {

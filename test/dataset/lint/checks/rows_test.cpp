@@ -94,7 +94,7 @@ TEST_F(RowRules, AMissingRowOfATableWithoutARate) {
 TEST_F(RowRules, AnotherRateThanTheSheets) {
   Edit("digger/imu/sensor.yaml", "rate_hz: 100", "rate_hz: 90");
   EXPECT_THAT(Only("stamps.rate", "digger/imu").places[0].message,
-              HasSubstr("100 Hz, sensor.yaml says 90 Hz"));
+              HasSubstr("100 Hz, sensor.yaml gives 90 Hz"));
 }
 
 TEST_F(RowRules, AChannelThatEndsTooEarly) {

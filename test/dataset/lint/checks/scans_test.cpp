@@ -58,7 +58,8 @@ TEST_F(ScanRules, AnInstanceThatIsNotListedOrOfAnotherClass) {
   });
   const LintFinding finding = Only("scans.instances", "digger/lidar");
   ASSERT_EQ(finding.count, 2);
-  EXPECT_THAT(finding.places[0].message, HasSubstr("are truck and of instance 2 (digger/boom)"));
+  EXPECT_THAT(finding.places[0].message,
+              HasSubstr("have class truck but instance 2 (digger/boom)"));
 }
 
 TEST_F(ScanRules, ALidarThatIsMountedElsewhere) {

@@ -35,8 +35,8 @@ TEST_F(LintReports, AHealthyDatasetIsOneSentence) {
 TEST_F(LintReports, TheTableTellsPlacesAndRemedies) {
   Break();
   const std::string table = LintTable(Linted());
-  EXPECT_THAT(table, StartsWith("error commands.range in digger/commands.csv: Levers lie in -1 to "
-                                "+1.\n    digger/commands.csv:10: boom is 50\n"));
+  EXPECT_THAT(table, StartsWith("error commands.range in digger/commands.csv: Lever values lie in "
+                                "-1 to +1.\n    digger/commands.csv:10: boom is 50\n"));
   EXPECT_THAT(table, HasSubstr("    and 2 more\n    Scale them;"));
   EXPECT_THAT(table, HasSubstr("warning files.unknown: "));
   EXPECT_THAT(table, HasSubstr("run: 1 error, 1 warning, 0 notes; "));
