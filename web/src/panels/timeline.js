@@ -4,7 +4,7 @@ import { datasetColour, lineColour } from "../colours.js";
 import { fitCanvas, h, number, select, themeColour } from "../dom.js";
 import { on, set, setTime, setWindow, state } from "../state.js";
 
-const FINDING_ROW = 7, EDGE = 10, EVENT_ROW = 11, EVENT_NAMES = 76;
+const FINDING_ROW = 7, EDGE = 10, EVENT_ROW = 11, EVENT_NAMES = 76, FREE_HEIGHT = 18;
 const EVENT_KINDS = ["contact", "strike", "spill", "tip", "drop", "person_near"];
 
 /** Steps of a readable axis over a span: 1, 2 or 5 times a power of ten, at least `least` apart. */
@@ -108,7 +108,8 @@ export class Timeline {
       this.events.push({ kind: event.kind, from_s, to_s, text, letter: dataset.letter });
     }
     this.event_rows = EVENT_KINDS.filter((kind) => this.events.some((event) => event.kind === kind));
-    document.documentElement.style.setProperty("--events", `${EVENT_ROW * this.event_rows.length}px`);
+    const needed = EVENT_ROW * this.event_rows.length - (this.findings.length ? 0 : FREE_HEIGHT);
+    document.documentElement.style.setProperty("--events", `${Math.max(0, needed)}px`);
     this.draw();
   }
 
