@@ -85,7 +85,7 @@ TEST(HtmlReport, AnswersFirstAndFoldsTheDetails) {
   const std::string page = HtmlReport(diagnosis, "run");
   std::size_t last = 0;
   for (const char* next :
-       {"In short: boom: dead band 0.181", "input is missing", "<ol class='chain'",
+       {"In short: boom: dead band 0.18", "input is missing", "<ol class='chain'",
         "1. Boom: dead band",
         "The boom does not move while its lever is within 18 % of neutral. Sure. Error is left "
         "beside it",

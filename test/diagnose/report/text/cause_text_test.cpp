@@ -165,8 +165,7 @@ const std::vector<Expected>& WrittenByHand() {
       {"imu_lever_arm",
        "imu",
        {{"x_m", 0.2}, {"z_m", -0.1}},
-       "The inertial unit imu sits elsewhere on its link than documented, by x 0.2 m and z -0.1 "
-       "m."},
+       "The inertial unit imu sits elsewhere on its link than documented, by x 0.2 m, z -0.1 m."},
       {"clock_offset",
        "gnss_left",
        {{"offset_s", 18}},
