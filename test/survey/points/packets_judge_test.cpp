@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -75,23 +76,33 @@ void RecordVlp16(const std::filesystem::path& folder) {
   writer.Finish();
 }
 
-/// The points of all turns that PCL completes.
-std::vector<pcl::PointXYZI> PointsByPcl(const std::filesystem::path& capture) {
+/// The points of the turns that PCL completes, which it passes on from a thread of its own. It
+/// plays captures in real time and does not tell their end.
+std::vector<pcl::PointXYZI> PointsByPcl(const std::filesystem::path& capture, std::size_t count) {
+  std::mutex mutex;
   std::vector<pcl::PointXYZI> points;
+  const auto has_all = [&] {
+    const std::lock_guard lock(mutex);
+    return points.size() >= count;
+  };
   pcl::VLPGrabber grabber(capture.string());
   const std::function<void(const pcl::PointCloud<pcl::PointXYZI>::ConstPtr&)> take =
       [&](const pcl::PointCloud<pcl::PointXYZI>::ConstPtr& turn) {
+        const std::lock_guard lock(mutex);
         points.insert(points.end(), turn->begin(), turn->end());
       };
   grabber.registerCallback(take);
   grabber.start();
-  while (grabber.isRunning()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  constexpr int kMostWaits = 600;
+  for (int k = 0; k < kMostWaits && !has_all(); ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   grabber.stop();
   return points;
 }
 
 // A VLP-16 begins a turn forward, at azimuth 0, a scan of TERA behind: PCL completes the half turn
-// before and the turn between. It does not interpolate within a firing sequence.
+// before, and the turn between. It gives all firings of a sequence one azimuth.
 TEST(PacketsJudge, PclFindsEachReturnOfAVlp16) {
   const std::filesystem::path run = OwnFolder() / "run", out = OwnFolder() / "out";
   std::filesystem::remove_all(run);
@@ -99,13 +110,13 @@ TEST(PacketsJudge, PclFindsEachReturnOfAVlp16) {
   RecordVlp16(run);
   Export(run, out, {.format = ExportFormat::kPcap});
   std::size_t expected = 0;
-  for (int column = kColumns / 2; column < 5 * kColumns / 2; ++column) {
+  for (int column = 0; column < 3 * kColumns / 2; ++column) {
     for (int ring = 0; ring < kRings; ++ring) {
-      if (column >= kColumns && RangeOf(column % kColumns, ring) > 0) ++expected;
+      if (RangeOf(column % kColumns, ring) > 0) ++expected;
     }
   }
-  const auto points = PointsByPcl(out / "digger/roof.pcap");
-  std::cout << points.size() << " " << expected << "\n";
+  const auto points = PointsByPcl(out / "digger/roof.pcap", expected);
+  EXPECT_EQ(points.size(), expected);
   for (const pcl::PointXYZI& p : points) {
     const double range_m = std::hypot(p.x, p.y, p.z);
     const double ring = (15 - std::asin(p.z / range_m) / kDeg) / 2;
@@ -114,7 +125,7 @@ TEST(PacketsJudge, PclFindsEachReturnOfAVlp16) {
     const double turned_deg = std::atan2(p.x, p.y) / kDeg + 180;
     const double column = turned_deg / 360 * kColumns;
     const int nearest = static_cast<int>(std::lround(column)) % kColumns;
-    ASSERT_NEAR(column, std::lround(column), 0.03);  // 0.005 deg
+    ASSERT_NEAR(column, std::lround(column), 0.08);  // 0.015 deg
     ASSERT_NEAR(range_m, RangeOf(nearest, static_cast<int>(std::lround(ring))), 1e-4);
     ASSERT_EQ(p.intensity, std::lround(ring));
   }
