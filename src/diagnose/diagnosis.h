@@ -28,14 +28,14 @@ struct Diagnosis {
   std::vector<DiagnosedBlock> blocks;
   DiagnosedSensors sensors;  ///< comparison of units, receivers, encoders and poses with each other
   std::vector<MissingInput> missing_input;  ///< axes that their levers do not explain; not searched
-  /// Time by which encoders run ahead of levers; none without a lead.
+  /// Time by which encoders run ahead of levers; empty if they do not.
   std::optional<double> encoder_lead_s = {};
   std::vector<std::string> not_compared;  ///< measurements that were not compared, with the reason
   /// Samples at which loose ground may let the base lag behind its tracks.
   std::vector<ExcludedSamples> excluded_samples;
   std::vector<PerceptionDiagnosis> perception;  ///< of ranging sensors and cameras
-  /// Levers that would resolve this recording's ambiguities; none if there are none, or no levers
-  /// would.
+  /// Levers that would resolve the ambiguities of this recording. Empty if there are no
+  /// ambiguities, or if no levers would resolve them.
   std::optional<NextManoeuvre> next;
   std::vector<HeldOutRecording> held_out;  ///< further recordings, in the given order
   /// Corrections of predictions for the replay's discrepancy, one for each channel of joints,

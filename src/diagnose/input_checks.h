@@ -9,8 +9,8 @@
 #include "diagnose/search/fit/replay_block.h"
 #include "physics/description/machine.h"
 
-// Checks of a recording before any comparison. Each throws InputError with place, finding, need and
-// the likely unit; none converts anything.
+// Checks of a recording before any comparison. Each check throws InputError with place, found
+// value, required value and the likely unit. No check converts a value.
 
 namespace tera {
 

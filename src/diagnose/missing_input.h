@@ -24,9 +24,9 @@ struct MissingInput {
 ///         exceed that too, since shaking has no mean. A lever rests once it has been neutral for
 ///         longer than any delay and lag. Input is missing if motion at rest takes at least two
 ///         seconds and a fifth of the moving time: creep and coasting are slower or shorter. If a
-///         lever only ever moves to one side, all motion to the other counts too. Motion that the
-///         simulation under the recorded levers has at the same time and in the same direction does
-///         not count. An example is a slew dragged along by turning tracks.
+///         lever only ever moves to one side, all motion towards the other side counts too. Motion
+///         that the simulation under the recorded levers has at the same time and in the same
+///         direction does not count. An example is a slew dragged along by turning tracks.
 ///
 /// `simulated` is that simulation at the times of `log`'s measurements, or null.
 std::vector<MissingInput> FindMissingInput(const MachineModel& model, const AxisLog& log,

@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// Times at which poses were measured, if their stamps are those of arrival.
+/// Times at which poses were measured, if their stamps are times of arrival.
 std::optional<PoseTimes> ArrivalsOf(const Measurements& measured);
 
 /// The block of the base, if all tracks or wheels have encoders and its motion is known. Motion is
@@ -21,7 +21,7 @@ std::optional<PoseTimes> ArrivalsOf(const Measurements& measured);
 std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measurements& measured,
                                         double interval_s, std::string* why_not);
 
-/// Discrepancy of the base's replay from its simulation, whose encoders are `simulated`; none if
+/// Discrepancy of the base's replay from its simulation, whose encoders are `simulated`; empty if
 /// the two have no time in common.
 std::optional<ReplayDiscrepancy> RecordedBaseDiscrepancy(
     const DiagnosisInput& input, const Measurements& measured,

@@ -49,8 +49,8 @@ struct GearTrack {
   double radius_m = 0, left_m = 0;
 };
 
-/// Travel in windows of at least 0.1 s. The running gear stands where, from 0.3 s before to 0.3 s
-/// after a window, no angle moves by more than noise and quantisation.
+/// Travel in windows of at least 0.1 s. The running gear is at rest in a window if no angle moves
+/// by more than noise and quantisation from 0.3 s before to 0.3 s after the window.
 std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears);
 
 }  // namespace tera

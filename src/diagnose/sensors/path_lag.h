@@ -30,8 +30,8 @@ struct PathLag {
   double rms_before_m = 0, rms_after_m = 0;
 };
 
-/// The lag with which a path explains most of the fixes' motion. None where they overlap too
-/// little.
+/// The lag with which a path explains most of the fixes' motion. Empty if path and fixes overlap
+/// too little.
 ///
 /// Model   fixes, and the path at the fixes' times minus the lag, are averaged over a second. z is
 ///         the step of the fixes' mean from one second to the next, and q that of the path: z =

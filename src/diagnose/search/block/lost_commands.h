@@ -48,7 +48,7 @@ struct LostCommands {
   double rmse_before = 0, rmse_after = 0;  ///< RMSE over all samples, without and with holds
 };
 
-/// Lost commands that no other finding explains. None if the rate shows no loss.
+/// Lost commands that no other finding explains. Empty if the rate shows no loss.
 ///
 /// Model   There are at least three holds of the residual (HoldsOf). They gain twice as much as
 ///         `early` holds, and reduce the mean square by at least `tolerated` squared.

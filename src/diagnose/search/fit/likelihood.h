@@ -11,7 +11,8 @@
 namespace tera {
 
 struct Misfit {
-  /// By channel and sample: innovation over the scale of the noise; 0 where there is none.
+  /// By channel and sample: innovation divided by the scale of the noise; 0 for a sample without
+  /// innovation.
   std::vector<Eigen::VectorXd> innovation;
   /// By channel: offset, gain - 1, delay (s) and nominal numbers, in standard deviations.
   std::vector<Eigen::VectorXd> nuisances;
@@ -43,7 +44,8 @@ class Likelihood {
   Misfit EvaluateAgainst(const std::vector<std::vector<double>>& measured,
                          const std::vector<std::vector<double>>& predicted) const;
   /// Residuals of the least-squares problem: signed square roots of the deviances of the fitted
-  /// samples' innovations. Channel by channel, with the nuisances of a channel after its samples.
+  /// samples' innovations. They are ordered by channel; the nuisance parameters of a channel follow
+  /// its samples.
   std::vector<double> Deviances(const std::vector<std::vector<double>>& predicted) const;
   /// Minus half the sum of squares of Deviances: the log-likelihood of the fitted samples relative
   /// to innovations of 0, minus half the square of each nuisance.
@@ -88,10 +90,11 @@ class Likelihood {
   std::vector<ChannelPart> parts_;
 };
 
-/// Copies innovations and residuals of some samples between misfits; nuisances stay.
+/// Copies innovations and residuals of some samples between misfits; nuisance parameters are not
+/// copied.
 void CopySamples(const Misfit& from, const Segment& samples, Misfit* out);
 
-/// Log-density of an innovation over the noise's scale, relative to that of 0.
+/// Log-density of an innovation in units of the noise's scale, relative to the log-density of 0.
 double LogDensityOf(double innovation, double dof);
 
 }  // namespace tera
