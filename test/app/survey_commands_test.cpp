@@ -170,11 +170,12 @@ TEST(SurveyInput, ThatCannotBeUsedLeavesNothingBehind) {
     ExpectRefused(scratch, {"site", name, "--out", "site"}, message);
     ExpectRefused(scratch, {"register", name, name, "--json", "pose.json"}, message);
   };
-  refuse("notes.las", "easting northing\n1 2\n", StartsWith("notes.las: does not begin as a LAS"));
+  refuse("notes.las", "easting northing\n1 2\n",
+         StartsWith("notes.las: does not begin with 'LASF'"));
   refuse("notes.txt", "1 2 3\n", HasSubstr("need .pcd, .ply, .las or .tif"));
   refuse("packed.laz", "LASF", HasSubstr("LAZ is compressed"));
   refuse("text.tif", "no raster", StartsWith("text.tif: not readable as a GeoTIFF"));
-  refuse("none.ply", PlyOf({}), HasSubstr("no point has a place"));
+  refuse("none.ply", PlyOf({}), HasSubstr("no point is usable"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse("nan.ply", PlyOf({{nan, 0, 0}, {0, nan, 0}}), HasSubstr("2 without finite coordinates"));
   const std::string whole = PlyOf({{0, 0, 0}, {1, 1, 1}});

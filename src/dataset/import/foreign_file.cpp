@@ -101,10 +101,11 @@ constexpr Magic kMagics[] = {
     {0, "ply\r\n", "a PLY point cloud or mesh", kCloud},
     {0, "\x89MCAP0\r\n", "an MCAP bag", kBag},
     {0, "#ROSBAG V", "a ROS 1 bag", kBag},
-    {0, "SQLite format 3", "a data base of SQLite",
-     "of rosbag2 it is a bag and needs a topic; of others write the table as CSV first: sqlite3 "
-     "-header -csv {0} 'SELECT * FROM TABLE' > {1}.csv"},
-    {0, "ULog\x01\x12\x35", "a ULog of PX4", "name it {1}.ulg, by which tera import knows it"},
+    {0, "SQLite format 3", "an SQLite database",
+     "if it is a rosbag2, name a topic; otherwise write the table as CSV first: sqlite3 -header "
+     "-csv {0} 'SELECT * FROM TABLE' > {1}.csv"},
+    {0, "ULog\x01\x12\x35", "a ULog of PX4",
+     "rename it to {1}.ulg, the extension that tera import reads"},
     {0, "\xa3\x95\x80\x80", "a DataFlash log of ArduPilot",
      "write its messages as CSV first: mavlogdump.py --format csv --types IMU {0} > {1}.csv"},
     {0, "\xb5\x62", "a UBX log of a u-blox receiver", kReceiver},
@@ -230,7 +231,7 @@ std::optional<ForeignFile> TextKind(std::string_view first) {
   if (begin == first.npos) return std::nullopt;
   const std::string start = LowerCase(std::string(first.substr(begin, 16)));
   if (start.starts_with("<!doctype html") || start.starts_with("<html")) {
-    return ForeignFile{"a page in HTML, as of a login or a fault of a server",
+    return ForeignFile{"an HTML page, perhaps of a login or a server error",
                        "download the file itself again"};
   }
   if (start.starts_with("<?xml") || start.starts_with("<gpx") || start.starts_with("<kml")) {

@@ -82,11 +82,11 @@ RowTime ReadRowTime(const ConfigMap& time, bool has_stamps) {
   if (const auto wraps_at = time.OptionalNumber("wraps_at", Positive(""))) {
     read.wraps_at = *wraps_at;
     if (read.number.column.empty() || !read.number.further.empty() || !read.week.empty()) {
-      time.Fault("wraps_at", "is of a time in one column; leave it out");
+      time.Fault("wraps_at", "applies to a time in one column only; remove it");
     } else if (*wraps_at * std::abs(read.number.factor) > kFarthest_s) {
       time.Fault("wraps_at", {FaultKind::kOutOfRange,
-                              fmt::format("{} is beyond any time, need at most {:.3g}", *wraps_at,
-                                          kFarthest_s / std::abs(read.number.factor))});
+                              fmt::format("{} is too large for a time, need at most {:.3g}",
+                                          *wraps_at, kFarthest_s / std::abs(read.number.factor))});
     }
   }
   return read;
@@ -109,12 +109,12 @@ std::optional<double> TurnOfCounter(double before, double after, double step) {
 
 bool IsTimeToFillIn(const ConfigMap& holder) {
   if (!holder.IsText("time")) return false;
-  holder.Fault("time",
-               {FaultKind::kMissing,
-                fmt::format("'{}' says nothing of the time; need {{column: NAME, unit: s}} (or ms, "
-                            "us, ns), {{date: NAME}} for dates, or {{interval: 20, unit: ms}} "
-                            "where rows have no time",
-                            holder.Text("time"))});
+  holder.Fault(
+      "time",
+      {FaultKind::kMissing,
+       fmt::format("'{}' does not describe a time; need {{column: NAME, unit: s}} (or ms, us, ns), "
+                   "{{date: NAME}} for dates, or {{interval: 20, unit: ms}} if rows have no time",
+                   holder.Text("time"))});
   return true;
 }
 
@@ -137,7 +137,7 @@ TimeNs RowTimes::At(std::size_t row) const {
   if (turns_.empty() || turns_[row] == 0) return t_ns;
   if (__builtin_mul_overflow(turn_ns_, static_cast<TimeNs>(turns_[row]), &turns_ns) ||
       __builtin_add_overflow(t_ns, turns_ns, &t_ns)) {
-    table_.Fail(row, place(), {FaultKind::kOutOfRange, "which begins anew too often"});
+    table_.Fail(row, place(), {FaultKind::kOutOfRange, "which wraps too often"});
   }
   return t_ns;
 }
@@ -201,7 +201,7 @@ std::string_view RowTimes::TextAt(std::size_t row, std::size_t place, const char
   if (!text || SaysNothing(*text)) {
     table_.Fail(
         row, place,
-        {FaultKind::kMissing, fmt::format("{}, or leave such rows out by --skip-bad-rows", need)});
+        {FaultKind::kMissing, fmt::format("{}, or skip such rows with --skip-bad-rows", need)});
   }
   return *text;
 }

@@ -80,12 +80,11 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   }
   for (const GnssColumn column : {kLat, kLon, kAlt, kVarE, kVarN, kVarU}) {
     if (!std::isnan(v[column])) continue;
-    throw InputError(
-        PlaceOf(source, row.line),
-        {FaultKind::kMissing,
-         "has a fix, but its position or variance is no number; leave such rows out by "
-         "valid_if, or give what is missing, for instance columns: {var_e: {constant: "
-         "4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
+    throw InputError(PlaceOf(source, row.line),
+                     {FaultKind::kMissing,
+                      "has a fix, but its position or variance is not a number; exclude such rows "
+                      "with valid_if, or give the missing values, for instance columns: {var_e: "
+                      "{constant: 4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
   }
 }
 
@@ -115,7 +114,7 @@ GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReadin
     throw InputError(
         PlaceOf(source, row.line),
         {FaultKind::kOutOfRange,
-         fmt::format("the fix is {}; {}, or leave such rows out by valid_if", v[kFix], kNeedFix)});
+         fmt::format("the fix is {}; {}, or exclude such rows with valid_if", v[kFix], kNeedFix)});
   }
   GnssSample s;
   s.t_ns = s.t_available_ns = row.t_ns;
@@ -142,7 +141,7 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
     throw InputError(
         PlaceOf(source, row.line),
         {FaultKind::kOutOfRange,
-         fmt::format("the quaternion has norm {}, need 1; leave such rows out by valid_if",
+         fmt::format("the quaternion has norm {}, need 1; exclude such rows with valid_if",
                      q.norm())});
   }
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());

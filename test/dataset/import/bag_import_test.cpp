@@ -281,7 +281,7 @@ TEST_F(BagImport, DefinitionsThatCannotBeReadAreToldOf) {
   expect(SmallMcap("m/A", "B b\n=====\nMSG: m/B\nA[] a\n"), "has m/A within itself");
   expect(SmallMcap("m/A", "B b\n"), "definition of m/B");
   expect(SmallMcap("m/A", "int32\n"), "has the line 'int32'");
-  expect(SmallMcap("m/A", "int32[x] a\n"), "'int32[x]', which is no type");
+  expect(SmallMcap("m/A", "int32[x] a\n"), "'int32[x]', which is not a type");
   expect(SmallMcap("m/A", "x", "ros2idl"), "written as 'ros2idl', need ros2msg");
   expect(SmallMcap("m/A", "int32 a\n", "ros2msg", "json"), "encoded as 'json'");
   std::string deep = "T0 t\n";

@@ -205,8 +205,7 @@ class MessageReader::Walk {
     const std::size_t most = is_cdr_ ? 3 : 0;
     if (bytes_.size() - at_ <= most) return;
     throw BadBytes{
-        fmt::format("it has {} bytes, its definition makes {} of them: they are of "
-                    "different types or versions",
+        fmt::format("it has {} bytes, but its definition reads {}: their types or versions differ",
                     bytes_.size(), at_)};
   }
 
@@ -232,7 +231,7 @@ class MessageReader::Walk {
   std::string_view Bytes(std::uint64_t count) {
     if (count > bytes_.size() - at_) {
       throw BadBytes{
-          fmt::format("it declares {} bytes where {} are left", count, bytes_.size() - at_)};
+          fmt::format("it declares {} bytes, but {} are left", count, bytes_.size() - at_)};
     }
     const std::string_view bytes = bytes_.substr(at_, count);
     at_ += count;
@@ -293,7 +292,7 @@ class MessageReader::Walk {
   void RequireRoom(const MessageField& field, std::uint64_t count) const {
     const std::uint64_t least = LeastOf(field);
     if (least == 0 || count <= (bytes_.size() - at_) / least) return;
-    throw BadBytes{fmt::format("'{}' declares {} elements where {} bytes are left", field.name,
+    throw BadBytes{fmt::format("'{}' declares {} elements, but {} bytes are left", field.name,
                                count, bytes_.size() - at_)};
   }
 

@@ -88,7 +88,7 @@ class SheetReader {
 
   [[noreturn]] void Fail(const std::string& key, FaultKind kind, const std::string& what) const {
     throw InputError(key.empty() ? file_ : file_ + ": " + key,
-                     {kind, what + "; need the JSON that the sensor itself gave"});
+                     {kind, what + "; need the metadata JSON of the sensor"});
   }
 
  private:

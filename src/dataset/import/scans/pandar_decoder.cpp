@@ -79,8 +79,8 @@ class PandarDecoder : public PacketDecoder {
     }
     if (at(6) != kQt64Lasers || at(7) != kPandarBlocks || at(9) != 4) {
       RefusePacket(packet,
-                   fmt::format("is of {} lasers, {} blocks and steps of {} mm, need 64, 4 and 4 of "
-                               "a QT64; name the unit that it is",
+                   fmt::format("has {} lasers, {} blocks and steps of {} mm, need 64, 4 and 4 of a "
+                               "QT64; name the right unit",
                                at(6), at(7), at(9)),
                    FaultKind::kInconsistent);
     }

@@ -331,10 +331,10 @@ std::string SuggestForFolder(const fs::path& folder) {
         "reindex {0}' writes it, or name {1} itself",
         folder.string(), entry.path().filename().string()));
   }
-  throw InputError(fmt::format(
-      "{}: is a folder of no known form; need a rosbag2 with metadata.yaml, a drive of KITTI with "
-      "oxts/timestamps.txt, data.csv files as EuRoC has them, or a file",
-      folder.string()));
+  throw InputError(
+      fmt::format("{}: is a folder of unknown form; need a rosbag2 with metadata.yaml, a drive of "
+                  "KITTI with oxts/timestamps.txt, data.csv files of EuRoC, or a file",
+                  folder.string()));
 }
 
 }  // namespace tera

@@ -114,13 +114,13 @@ void TakeLongestPart(const CsvFile& csv, const SeenTimes& seen, TimeGuess* guess
   for (std::size_t k = 1; k + 1 < starts.size(); ++k) {
     const std::size_t row = starts[k];
     guess->parts += fmt::format(
-        "# line {} begins anew, {:.6g} s before the row above it, as where a logger was started "
-        "anew or its clock was set\n",
+        "# line {} goes back by {:.6g} s, as after a restart of the logger or a change of its "
+        "clock\n",
         line_of(row), ToSeconds(seen.t_ns[row - 1] - seen.t_ns[row]));
   }
   guess->parts +=
-      "# csv takes the longest part by first_line and last_line: import each of the others by its "
-      "own\n";
+      "# csv selects the longest part with first_line and last_line: import each other part "
+      "separately\n";
 }
 
 /// The candidate's `time`, with a possible value in place of each placeholder.
@@ -208,8 +208,8 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   std::string time = best->time, remark = best->remark;
   if (const auto turn = best->to_fill_in ? std::nullopt : TurnOf(csv, *best, best->seen)) {
     time.insert(time.size() - 1, fmt::format(", wraps_at: {:.10g}", *turn));
-    remark += fmt::format("{}it begins anew after {:.10g}, {} time{}", remark.empty() ? "" : "; ",
-                          *turn, best->seen.backs, best->seen.backs == 1 ? "" : "s");
+    remark += fmt::format("{}it wraps after {:.10g}, {} time{}", remark.empty() ? "" : "; ", *turn,
+                          best->seen.backs, best->seen.backs == 1 ? "" : "s");
     best_seen = Look(csv, rows, "time: " + time);
     if (!guess.t_ns.empty()) guess.t_ns = best_seen.t_ns;
   }

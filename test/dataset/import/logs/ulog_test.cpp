@@ -241,7 +241,7 @@ TEST_F(UlogTest, WhatIsNoLogOrOfALaterVersionIsRefused) {
   Log("");
   EXPECT_THAT(FaultOf(keys), HasSubstr("log.ulg: is no ULog"));
   Log("\x55\x4c\x6f\x67");
-  EXPECT_THAT(FaultOf(keys), HasSubstr("is no ULog"));
+  EXPECT_THAT(FaultOf(keys), HasSubstr("is not a ULog"));
   Log(Ulog(2).bytes());
   EXPECT_THAT(FaultOf(keys), HasSubstr("is a ULog of version 2; need version 0 or 1"));
   Log(Ulog().Flags(0, 2, 0).bytes());
@@ -284,7 +284,8 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
   EXPECT_THAT(fault(Ulog(sound).Data(1, time + "ab")), HasSubstr("is shorter than its fields"));
   EXPECT_THAT(fault(Ulog(sound).Data(1, Bytes(~std::uint64_t{0}) + Bytes(1.0f))),
               HasSubstr("its timestamp is no time"));
-  EXPECT_THAT(fault(Ulog(sound).Data(1, time + Bytes(std::nanf("")))), HasSubstr("is no number"));
+  EXPECT_THAT(fault(Ulog(sound).Data(1, time + Bytes(std::nanf("")))),
+              HasSubstr("is not a number"));
   const std::string later = Bytes(std::uint64_t{9}) + Bytes(1.0f);
   EXPECT_THAT(fault(Ulog(sound).Data(1, later).Data(1, time + Bytes(1.0f))),
               HasSubstr("need a later time"));
