@@ -10,23 +10,24 @@
 
 namespace tera {
 
-/// The actuation chain alone, driven by recorded levers at measured positions and loads. Gives the
-/// rates that a machine's joints and gears with other effects would have had at these positions.
-/// Errors stay where they arise and do not drift.
+/// Replays the actuation chain of every axis, without the rest of the machine. Inputs are the
+/// recorded levers and the measured positions and loads. Outputs are the rates that joints and
+/// running gears with other effects would have had. Measured positions keep errors where they
+/// arise, so they do not accumulate.
 ///
-/// Model   Actuation over the steps of the log. A joint follows its drive's demand, limited by the
-///         acceleration of the links beyond it under full effort minus load.
-/// Omits   joints that the ground or their end stops support; the inertia of other joints that move
-///         or yield and of the gears; limits of effort by position and direction; `payload`, whose
-///         weight is not in the log's loads; the messages lost by `command_drops`, which draws its
-///         own.
+/// Model   Actuation runs over the steps of the log. A joint follows the rate that its drive
+///         demands. Its acceleration is limited by full effort minus load, over the inertia of the
+///         links beyond it.
+/// Omits   Joints that the ground or their end stops support; the inertia of other joints and of
+///         the gears; limits of effort by position and direction; `payload`, whose weight is not in
+///         the log's loads; the real losses of `command_drops`, which draws its own.
 class AxisReplay {
  public:
-  /// Both must outlive it.
+  /// `model` and `log` must outlive this object.
   AxisReplay(const MachineModel& model, const AxisLog& log) : model_(model), log_(log) {}
 
-  /// Rates with `effects` in place of the model's own, one list for each of the log's measured
-  /// rates, at their times.
+  /// Rates with `effects` in place of the model's. Returns one list per measured rate of the log,
+  /// at its times.
   std::vector<std::vector<double>> Predict(const MachineEffects& effects) const;
 
  private:
@@ -34,49 +35,50 @@ class AxisReplay {
   const AxisLog& log_;
 };
 
-/// Effects of an axis, and of the pump that feeds it.
+/// Effects of one axis and of the pump that feeds it.
 struct AxisEffects {
   Effects axis, pump;
 };
 
-/// The chain of one axis, for the thousands of evaluations of a search. The demand of the pump's
-/// other functions is fixed (pump_demand.h). An axis fed by several pumps gets its full demand.
+/// Replays the actuation chain of one axis. It is fast enough for the thousands of evaluations of a
+/// search. The demand of the pump's other functions is fixed (pump_demand.h). An axis with several
+/// pumps always gets its full demand.
 class LoneAxisReplay {
  public:
-  /// The chain of the axis of one of the log's measured rates, or of some of its samples. Copies
+  /// `measured` is one of the log's measured rates, or a subset of its samples. The object copies
   /// what it needs of all arguments.
   LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
-  /// Nominal numbers of the axis, as factors on those of its model.
+  /// Factors on the nominal numbers of the axis: rate at full lever, full effort.
   struct Nominal {
     double rate = 1, effort = 1;
   };
 
-  /// Rates at the measured rate's times, or the first `most` of them, with `effects` in place of
-  /// the model's.
+  /// Rates with `effects` in place of the model's. They hold at the times of the measured rate, or
+  /// at the first `most` of them.
   std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal,
                               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   std::vector<double> Predict(const AxisEffects& effects) const {
     return Predict(effects, Nominal());
   }
 
-  /// For each of the measured rate's times, whether full effort is too weak to accelerate the
-  /// masses as demanded, at that time or since the previous one.
+  /// One flag per time of the measured rate. It is true if full effort could not reach the demanded
+  /// rate at that time, or since the previous one.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
-  /// The same, with `learned` in place of the model's learned effect.
+  /// A copy with `learned` as the axis's learned effect.
   LoneAxisReplay With(const LearnedEffect& learned) const;
 
-  /// The model's effects.
+  /// Effects of the axis and its pump in the model.
   AxisEffects effects() const;
   const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
-  /// The drive's demanded rate at the end of a step, and the resulting rate.
+  /// Rate that the drive demands at the end of a step, and the rate that results.
   struct Rates {
     double asked_radps = 0, rate_radps = 0;
   };
-  /// Replays the first `steps`; `take` gets each step's number and rates.
+  /// Replays the first `steps`. `take` receives the number and rates of each step.
   template <typename Take>
   void Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
            const Take& take) const;
@@ -87,9 +89,10 @@ class LoneAxisReplay {
   std::size_t axes_ = 0;
   double step_s_ = 0;
   std::vector<double> lever_, at_step_;
-  std::vector<double> levers_;  ///< of all axes, steps x axes
+  std::vector<double> levers_;  ///< levers of all axes, steps x axes
   std::vector<AxisMotion> motion_;
-  std::vector<double> change_radpspnm_;  ///< change of rate per step and effort; 0: no inertia
+  /// Rate change per step and unit of effort; 0: inertia unknown.
+  std::vector<double> change_radpspnm_;
   std::optional<PumpDemand> pump_;
 };
 

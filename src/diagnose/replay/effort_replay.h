@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// Effort of a joint's drive for the measured motion.
+/// Effort that a joint's drive needs for the measured motion.
 ///
-/// Model   effort = inertial + weight + friction(rate) + offset, with friction and offset of the
-///         simulator's slot load_friction, through the log's Gaussian.
-/// Omits   friction at rest, where the log has gaps.
+/// Model   effort = inertial + weight + friction(rate) + offset. Friction and offset are those of
+///         the simulator's slot load_friction, smoothed by the log's Gaussian.
+/// Omits   Friction at rest; the log has gaps there.
 class EffortReplay {
  public:
-  /// Both must outlive it.
+  /// `model` and `log` must outlive this object.
   EffortReplay(const MachineModel& model, const EffortLog& log) : model_(model), log_(log) {}
 
-  /// Efforts with `effects` in place of the joint's own, one for each sample of the log's grid.
+  /// Efforts with `effects` in place of the joint's, one per sample of the log's grid.
   std::vector<double> Predict(const Effects& effects) const;
 
  private:

@@ -10,10 +10,11 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastTurning_radps = 1e-3;  ///< of a wheel: less is rest
-constexpr TimeNs kNear_ns = 300'000'000;  ///< distance to a measurement at which motion is known
+constexpr double kLeastTurning_radps = 1e-3;  ///< of a running gear: slower is rest
+/// Motion is known between measurements that are at most this far apart.
+constexpr TimeNs kNear_ns = 300'000'000;
 
-/// The position of one joint, or of the base, over time.
+/// Measured positions of one joint, or poses of the base.
 template <typename Value>
 struct Measured {
   std::vector<TimeNs> t_ns;
@@ -43,7 +44,8 @@ std::optional<Measured<double>> PositionOf(const std::string& joint,
   return std::nullopt;
 }
 
-/// Position of a joint, derived from its leading joint if it follows one.
+/// Position of a joint. A joint without an encoder that follows another joint gets its position
+/// from it.
 std::optional<Measured<double>> PositionOf(const MachineModel& model, const Joint& joint,
                                            const std::vector<NamedEncoders>& encoders) {
   std::optional<Measured<double>> own = PositionOf(joint.name, encoders);
@@ -55,7 +57,7 @@ std::optional<Measured<double>> PositionOf(const MachineModel& model, const Join
   return led;
 }
 
-/// The joints between the base and a link.
+/// Joints between the base and a link.
 std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   std::vector<std::size_t> way;
   for (std::size_t j = model.joints.size(); j-- > 0;) {
@@ -66,7 +68,8 @@ std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   return way;
 }
 
-/// Positions of the joints between base and link, by joint; none if a moving joint has no encoder.
+/// Positions of the joints between base and link, by joint. Returns nothing if a driven joint has
+/// no encoder.
 std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
     const MachineModel& model, const std::vector<NamedEncoders>& encoders, int link) {
   std::vector<std::optional<Measured<double>>> joints(model.joints.size());
@@ -78,7 +81,7 @@ std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
   return joints;
 }
 
-/// Whether tracks or wheels were measured, and none turned.
+/// True if all tracks and wheels were measured and none turned.
 bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
   if (model.fixed_base) return true;
   std::size_t measured = 0;
