@@ -14,10 +14,9 @@
 namespace tera {
 namespace {
 
-constexpr double kRounding_s = 0.05;        ///< of the length that a message states
-constexpr double kShortestPeriod_s = 1e-4;  ///< of any encoder or inertial unit
+constexpr double kRounding_s = 0.05;        ///< of lengths in messages
+constexpr double kShortestPeriod_s = 1e-4;  ///< no encoder or inertial unit samples faster
 
-/// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
   std::vector<NamedEncoders> encoders;
   for (const std::string& channel : recording.ChannelsOf(kEncoderChannel)) {
@@ -28,7 +27,7 @@ std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::str
   return encoders;
 }
 
-/// The samples between two times.
+/// Removes the samples outside of two times.
 template <typename Sample>
 void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
   std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
@@ -51,14 +50,14 @@ TimeNs StartOf(const Measurements& measured) {
     if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
   }
   if (start_ns < std::numeric_limits<TimeNs>::max()) return start_ns;
-  // Receivers count only without other measurements, since their clocks are not the machine's.
+  // Receivers count only without other measurements, because their clocks are not the machine's.
   for (const auto& samples : measured.gnss) {
     if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
   }
   return start_ns;
 }
 
-/// Time of the last measurement; receivers count only without others, as in StartOf.
+/// Time of the last measurement. Receivers count only without other measurements, as in StartOf.
 TimeNs EndOf(const Measurements& measured) {
   TimeNs end_ns = measured.start_ns;
   const auto last = [&](const auto& samples) {
@@ -71,7 +70,7 @@ TimeNs EndOf(const Measurements& measured) {
   return end_ns;
 }
 
-/// A hint at a wrong time unit, if samples are denser than any sensor's.
+/// Hint at a wrong unit of time if samples are denser than any sensor's.
 std::string UnitOfTimeText(const Measurements& measured, double length_s) {
   std::size_t most = 0;
   for (const auto& named : measured.encoders) most = std::max(most, named.recording.samples.size());
@@ -81,7 +80,7 @@ std::string UnitOfTimeText(const Measurements& measured, double length_s) {
              : "";
 }
 
-/// Throws where the part that is diagnosed is too short.
+/// Throws if the diagnosed part is too short.
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
   const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
   const double left_s = std::min(options.to_s, length_s) - options.from_s;
@@ -109,7 +108,7 @@ void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
   }
 }
 
-/// "the recording has gnss (gnss), the scenario imu_boom": what does not match.
+/// Names of recorded and wanted channels: "the recording has gnss (gnss), the scenario imu_boom".
 std::string ChannelsText(const DiagnosisInput& input, const Recording& recording) {
   std::vector<std::string> recorded, wanted;
   const std::string prefix = input.machine + "/";

@@ -34,8 +34,8 @@ bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   return MeasuresGears(input, measured) && !BasePoses(measured).empty();
 }
 
-/// Why the base of a machine with running gear is not compared, although gears or poses were
-/// measured.
+/// Why the base of a machine with running gear is not compared, although its running gear or poses
+/// were measured.
 std::string WithoutBaseText(const DiagnosisInput& input, const Measurements& measured) {
   const std::string base = input.machine + "/base: ";
   if (input.model->ground_tools.gears.empty()) return "";
@@ -67,7 +67,7 @@ std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measu
                "clocks that count from the same event (`time` of the import)";
     return std::nullopt;
   }
-  // The gears' encoders bound the time.
+  // The log covers only the time of the running gear's encoders.
   const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured), interval_s,
                                   ArrivalsOf(measured));
   const bool has_poses = !measured.poses.empty();

@@ -12,17 +12,18 @@
 
 namespace tera {
 
-/// Times at which poses were measured, if their stamps are times of arrival.
+/// Times at which poses were measured, if their stamps may be times of arrival. Empty for simulated
+/// poses.
 std::optional<PoseTimes> ArrivalsOf(const Measurements& measured);
 
-/// The block of the base, if all tracks or wheels have encoders and its motion is known. Motion is
-/// compared over `interval_s`. For a machine with running gear and part of these measurements,
+/// Block of the base, if all tracks or wheels have encoders and its motion is known. `interval_s`
+/// is the interval over which motion is compared. If only some of these measurements exist,
 /// `why_not` names the missing part.
 std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measurements& measured,
                                         double interval_s, std::string* why_not);
 
-/// Discrepancy of the base's replay from its simulation, whose encoders are `simulated`; empty if
-/// the two have no time in common.
+/// Discrepancy of the base's replay from its simulation. `simulated` are the simulation's encoders.
+/// Empty if the two have no common time.
 std::optional<ReplayDiscrepancy> RecordedBaseDiscrepancy(
     const DiagnosisInput& input, const Measurements& measured,
     const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course, double interval_s);

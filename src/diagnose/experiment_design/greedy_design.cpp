@@ -24,7 +24,8 @@ Structure Without(Structure terms, const Candidate* candidate) {
   return terms;
 }
 
-/// The class of a finding: itself and its rivals, each fitted in its place.
+/// The class of a finding: its mechanism and its rivals. Each rival is fitted in place of the
+/// finding.
 AmbiguitySet ClassOf(const Finding& finding, const Structure& found,
                      const StructureFitter& fitter) {
   AmbiguitySet set;
@@ -76,9 +77,9 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
 
 namespace {
 
-constexpr std::uint64_t kDraws = 100;  ///< of the noise: power to five per cent
+constexpr std::uint64_t kDraws = 100;  ///< of the noise: the power is right to about five per cent
 
-/// Whether noise, drawn once, lets the tests discriminate the pair of which these are the gains.
+/// True if the tests discriminate a pair with these gains, for one draw of the noise.
 bool IsDiscriminated(const std::vector<ManoeuvreGain>& seen,
                      const std::vector<ManoeuvreGain>& final, bool is_class, double level) {
   if (!is_class) return GainP(seen) <= level && AreConfirming(final, kConfirmedP);
@@ -140,15 +141,15 @@ double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, cons
 
 namespace {
 
-constexpr double kSecantStep = 0.02;  ///< of a number's range
-constexpr double kPriorSigma = 0.3;   ///< of a number about where it is, in parts of its range
+constexpr double kSecantStep = 0.02;  ///< over a parameter's range
+constexpr double kPriorSigma = 0.3;   ///< of a parameter about its value, over its range
 
 Eigen::VectorXd Predicted(const ReplayBlock& run, const Structure& terms) {
   const std::vector<double> y = run.predict(terms).front();
   return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
-/// Changes of the wrong explanation's prediction by one standard deviation of each of its numbers,
+/// Changes of the alternative's prediction by one standard deviation of each of its parameters,
 /// then of each nuisance.
 Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
                           const Eigen::VectorXd& predicted) {

@@ -15,8 +15,8 @@ namespace tera {
 /// A future run of levers, predicted in the form of a recording.
 struct PredictedRun {
   TableRecording commands;
-  NamedEncoders encoders;       ///< of all joints and gears
-  std::vector<double> end_rad;  ///< positions of the joints at its end
+  NamedEncoders encoders;       ///< of all joints and running gears
+  std::vector<double> end_rad;  ///< joint positions at the end
   std::vector<double> lowest_rad, highest_rad;
   double length_s = 0;
 };
@@ -24,22 +24,23 @@ struct PredictedRun {
 /// Time steps of a prediction.
 struct PredictionSteps {
   double step_s = 0.01;    ///< of the replay
-  double period_s = 0.01;  ///< of the encoders
+  double period_s = 0.01;  ///< sample period of the encoders
 };
 
-/// Predicts a machine's motion under moves of its levers, from given positions of its joints.
+/// Predicts a machine's motion under lever moves, from given joint positions.
 ///
-/// Model   the chain of actuation with the model's effects; a joint follows its drive's demand.
-///         Encoders measure it with only as much noise as keeps two samples from being equal.
-/// Omits   inertia, end stops, the ground.
+/// Model   The actuation chain with the model's effects. Joints follow the rates that their drives
+///         demand. Encoders add a tremor of 1e-9 rad/s, so that no two consecutive samples are
+///         equal.
+/// Omits   Inertia, end stops, the ground.
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
                         double length_s, std::vector<double> start_rad,
                         const PredictionSteps& steps);
 
-/// Runs joined in time, each from its own positions.
+/// Runs joined in time. Each starts from its own positions.
 PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
 
-/// The block of an axis over a predicted run; none if the run is too short.
+/// Block of an axis over a predicted run. Returns nothing if the run is too short.
 std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
                                    std::size_t axis, double step_s);
 
