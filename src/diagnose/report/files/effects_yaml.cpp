@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kListWidth = 92;  ///< of a line of numbers
 constexpr char kNoCurve[] = "no formula and no curve over one variable explains a twentieth of it";
 
-/// The lines of one target, in the order of the findings' ranks.
+/// Lines of one target, in the order of the findings' ranks.
 struct TargetLines {
   std::string target;
   std::vector<std::string_view> mechanisms;
@@ -35,7 +35,7 @@ bool IsPlain(char c) {
          c == '/' || c == '-';
 }
 
-/// A name as a key: in quotes where it could be read as something else.
+/// A name as a key. It has quotes if YAML could read it as another type.
 std::string Key(const std::string& name) {
   const bool begins_with_letter =
       !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
@@ -45,7 +45,7 @@ std::string Key(const std::string& name) {
   return quoted + "'";
 }
 
-/// A number as text, within its range after rounding as well as before.
+/// A number as text. Rounding does not move it out of its range.
 std::string Value(double value, const EffectParameter& parameter) {
   TERA_CHECK(std::isfinite(value), parameter.name);
   if (parameter.whole) return fmt::format("{:.0f}", value);
@@ -54,15 +54,15 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// The free parameter of an index, or nullptr.
+/// Free parameter with an index, or nullptr.
 const FreeParameter* FreeParameterOf(const Candidate& candidate, std::size_t index) {
   const auto at = std::find_if(candidate.free.begin(), candidate.free.end(),
                                [&](const FreeParameter& free) { return free.index == index; });
   return at != candidate.free.end() ? &*at : nullptr;
 }
 
-/// "dead_band: {width: 0.18}", with its rivals in a comment. A parameter that a prior kept near the
-/// simulation's number is omitted.
+/// "dead_band: {width: 0.18}", with its rivals in a comment. A parameter is left out if a prior
+/// kept it near the scenario's value.
 std::string MechanismLine(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
@@ -82,7 +82,7 @@ std::string MechanismLine(const Finding& finding) {
   return fmt::format("{}: {{{}}}{}", candidate.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
-/// The findings that a simulation can have, in the order of their ranks.
+/// Findings that a simulation can have, in the order of their ranks.
 std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   std::vector<const Finding*> effects;
   for (const Cause& cause : RankedCauses(diagnosis)) {
@@ -92,7 +92,7 @@ std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   return effects;
 }
 
-/// The lines of a target among those of all; new and last where it has none.
+/// Lines of a target. A target without lines is appended.
 TargetLines* LinesOf(const std::string& target, std::vector<TargetLines>* targets) {
   auto at = std::find_if(targets->begin(), targets->end(),
                          [&](const TargetLines& lines) { return lines.target == target; });
@@ -100,7 +100,7 @@ TargetLines* LinesOf(const std::string& target, std::vector<TargetLines>* target
   return &*at;
 }
 
-/// "at: [...]", on as many lines as it takes.
+/// "at: [...]", wrapped to lines.
 std::string ListLines(std::string_view key, const std::vector<double>& values) {
   std::string text = fmt::format("  {}: [", key);
   std::size_t width = text.size();
@@ -108,7 +108,7 @@ std::string ListLines(std::string_view key, const std::vector<double>& values) {
     TERA_CHECK(std::isfinite(values[i]), key);
     const std::string item = fmt::format("{:.6g}{}", values[i], i + 1 < values.size() ? ", " : "]");
     if (width + item.size() > kListWidth) {
-      text.pop_back();  // the blank before the item
+      text.pop_back();  // the space before the item
       text += "\n    ";
       width = 4;
     }

@@ -8,11 +8,11 @@
 #include "diagnose/diagnose_recording.h"
 #include "diagnose/recordings/shared_causes.h"
 
-// Joint result of several recordings of one machine, in words.
+// Result of several recordings of one machine, as a page and files.
 
 namespace tera {
 
-/// "0.121 ± 0.005" for each parameter that a recording determines, or the reason why there is none:
+/// "0.121 ± 0.005" for each parameter that a recording determines. Without parameters, the reason:
 /// "not there", "within tolerance: 0.01 ± 0.004".
 std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
 
@@ -23,25 +23,25 @@ std::string SentenceOf(const SharedCause& cause);
 /// "3 recordings: 2 causes that they share and 1 cause that differs from one to another."
 std::string AnswerText(const std::vector<SharedCause>& causes, std::size_t recordings);
 
-/// One recording on the page of several: its name and the page of its own report.
+/// A recording's name and the page of its own report.
 struct RecordingOnPage {
   std::string name, page;
   const Diagnosis* diagnosis = nullptr;
 };
 
-/// The page of several recordings of one machine: shared causes first, the findings of each
-/// recording tested on the others, and a table of causes by recordings.
+/// Page on several recordings of one machine. It lists shared causes first, then the validation of
+/// each recording's findings on the others, then a table of causes by recordings.
 std::string RecordingsPage(const std::string& machine,
                            const std::vector<RecordingOnPage>& recordings,
                            const std::vector<SharedCause>& causes);
 
-/// The name of the page of several recordings.
+/// File name of the page on several recordings.
 inline constexpr const char* kRecordingsPage = "recordings.html";
 
-/// Writes the reports of several recordings into recording_1, recording_2, ... Their joint result
-/// goes to recordings.html, recordings.json and effects.yaml, the overlay of the shared causes with
-/// pooled parameters. Several machines have a folder each. The folder appears when it is complete.
-/// Returns the page of each machine. Throws InputError.
+/// Writes the reports of several recordings into recording_1, recording_2, ... Their common result
+/// is in recordings.html, recordings.json and effects.yaml. effects.yaml is the overlay of the
+/// shared causes with pooled parameters. With several machines, each machine has its own folder.
+/// The folder appears when it is complete. Returns the page of each machine. Throws InputError.
 std::vector<std::filesystem::path> WriteRecordingsReport(
     const std::filesystem::path& out, const std::vector<DiagnosedRecording>& recordings,
     WholeFolder* whole);

@@ -10,21 +10,21 @@
 
 namespace tera {
 
-/// Writes diagnosis.json, effects.yaml, report.html and, if present, next_manoeuvre.csv and the
-/// ground map of each sensor, as CSV and GeoTIFF. Creates the folder if missing; that of a
-/// WholeFolder appears when complete. `recording` is the recording's name in the files. Throws
-/// InputError.
+/// Writes diagnosis.json, effects.yaml and report.html. If present, also next_manoeuvre.csv and
+/// each sensor's ground map, as CSV and GeoTIFF. Creates a missing folder; the folder of a
+/// WholeFolder appears when it is complete. `recording` is the recording's name in the files.
+/// Throws InputError.
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording);
 
-/// Throws InputError where the folder exists, so that reports of two runs never mix.
+/// Throws InputError if the folder exists, so that reports of two runs never mix.
 void RequireNewFolder(const std::filesystem::path& out);
 
-/// Reports of all machines of a recording, in a folder for each of several. The folder appears when
-/// it is complete.
+/// Reports of all machines of a recording. With several machines, each has its own folder. The
+/// folder appears when it is complete.
 class ReportFolder {
  public:
-  /// Throws InputError where it cannot be written.
+  /// Throws InputError if the folder cannot be written.
   explicit ReportFolder(const std::filesystem::path& out) : out_(out), whole_(out) {}
 
   /// Returns the page of each machine.

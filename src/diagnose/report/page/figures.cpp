@@ -14,10 +14,10 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPoints = 1500;  ///< of a line
+constexpr std::size_t kMostPoints = 1500;  ///< per line
 constexpr double kLongestWindow_s = 10;    ///< of measured and predicted values
-constexpr int kShades = 6;                 ///< of a map, on each side of no difference
-constexpr double kLongestSide = 400;       ///< of a map, in the figure's own units
+constexpr int kShades = 6;                 ///< colours of a map, per sign of the difference
+constexpr double kLongestSide = 400;       ///< of a map, in SVG units
 
 std::string Figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
@@ -43,7 +43,7 @@ Series Predicted(const Series& measured, const Series& residual) {
   return predicted;
 }
 
-/// The envelope (EnvelopeOf) of a series at the times of the recording.
+/// Envelope of a series (EnvelopeOf) over the recording's time.
 std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
                               const Segment& samples, double factor) {
   std::vector<PlotPoint> line = EnvelopeOf(series, samples, factor, kMostPoints);
@@ -51,7 +51,7 @@ std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
   return line;
 }
 
-/// The window of `length` samples within a segment that has the largest sum of squares.
+/// The window of `length` samples within a segment with the largest sum of squares.
 Segment Worst(const Series& residual, const Segment& within, std::size_t length) {
   if (within.size() <= length) return within;
   const auto square = [&](std::size_t k) {
@@ -70,7 +70,7 @@ Segment Worst(const Series& residual, const Segment& within, std::size_t length)
   return worst;
 }
 
-/// The window of the prediction's figure: the worst interval with a little before and after.
+/// Window of PredictionFigure: the worst interval with a margin before and after.
 Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
   const std::size_t samples = diagnosed.block.samples();
   const Segment worst =
@@ -83,7 +83,7 @@ Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
                std::max<std::size_t>(most, 2));
 }
 
-/// The axis over the points, of which a share `outliers` may lie outside on each side.
+/// Axis over all points. On each side, at most the share `outliers` of the points lies outside.
 PlotAxis RangeOf(const std::vector<std::vector<PlotPoint>>& lines, double outliers,
                  std::string label) {
   std::vector<double> all;
@@ -111,7 +111,7 @@ struct Curve {
   }
 };
 
-/// A plot for a curve over the variable of a block, with zero in it.
+/// A plot for a curve over a variable of a block. Its y range includes zero.
 SvgPlot PlotOf(const Curve& curve, const std::string& variable, const ReplayBlock& block,
                const std::string& y_label) {
   return {"as a function of " + variable,
@@ -280,7 +280,7 @@ std::string GroundFigure(const GroundMap& map) {
   const auto shade = [&](const GroundCell& cell) {
     return std::lround(kShades * std::clamp(cell.above_m / greatest_m, -1.0, 1.0));
   };
-  for (auto run = map.cells.begin(); run != map.cells.end();) {  // neighbours of one shade
+  for (auto run = map.cells.begin(); run != map.cells.end();) {  // neighbours with the same colour
     const auto [i, j] = run->first;
     const long of_run = shade(run->second);
     auto next = std::next(run);

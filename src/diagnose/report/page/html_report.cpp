@@ -24,14 +24,13 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostCauses = 12;  ///< with a section of their own
+constexpr std::size_t kMostCauses = 12;  ///< with their own section
 
 std::string Paragraph(std::string_view css_class, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class='{}'>{}</p>\n", css_class, Escaped(text));
 }
 
-/// A section of the first screen: a heading, its meaning, a picture, and sentences with the
-/// evidence.
+/// A section of the first screen: heading, meaning, picture, and sentences with the evidence.
 std::string Section(std::string_view css_class, const std::string& heading,
                     const std::string& meaning, const std::string& picture,
                     const std::vector<std::string>& sentences) {
@@ -58,7 +57,7 @@ std::string SectionOf(const Cause& cause, std::size_t number, const Diagnosis& d
       sentences);
 }
 
-/// Recording to make for an unexplained error.
+/// Advice on which recording to make for an unexplained error.
 std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
   if (at.regimes.empty() || at.regimes.front().variable == "time") {
     return "Record more of the driving in which the error is.";
@@ -90,7 +89,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                  PredictionFigure(*diagnosed, at), sentences);
 }
 
-/// Section on sensors that disagree for no known reason.
+/// Section on sensors that disagree for an unknown reason.
 std::string SectionOf(const std::vector<const ChannelError*>& left) {
   return Section("unexplained", "Sensors that do not agree", SentenceOfUnexplained(left), "", {});
 }
@@ -142,7 +141,7 @@ bool IsAnythingJudged(const Diagnosis& diagnosis) {
                      [](Verdict verdict) { return verdict != Verdict::kUntestable; });
 }
 
-/// "2 causes found.", or a sentence that there is none, or that nothing was judged.
+/// The result in one sentence: "2 causes found.", no cause found, or nothing judged.
 std::string AnswerText(const Diagnosis& diagnosis) {
   const std::vector<Cause> all = CausesOf(diagnosis);
   const std::size_t causes = all.size();
@@ -166,7 +165,7 @@ std::string AnswerText(const Diagnosis& diagnosis) {
                                      : "Nothing could be judged by this recording.";
 }
 
-/// Prerequisites to mend first: missing input, clocks that differ.
+/// Problems to solve first: missing input, clocks that differ.
 std::string FirstThings(const Diagnosis& diagnosis) {
   std::string html;
   for (const MissingInput& missing : diagnosis.missing_input) {
@@ -179,8 +178,8 @@ std::string FirstThings(const Diagnosis& diagnosis) {
   return html;
 }
 
-/// A section for each cause, by descending size, and for each unexplained error. Without either:
-/// the channels that agree, and the undetectable mechanisms.
+/// One section per cause, by descending ErrorRatio, and one per unexplained error. Without either,
+/// the channels that agree and the undetectable mechanisms.
 std::string CauseSections(const Diagnosis& diagnosis) {
   std::string html;
   const std::vector<Cause> causes = CausesOf(diagnosis);
@@ -199,7 +198,7 @@ std::string CauseSections(const Diagnosis& diagnosis) {
 
 constexpr std::size_t kMostRegimesShown = 2;
 
-/// The sentences that the page does not have yet.
+/// Sentences that `page` does not contain.
 std::string OtherSentences(const Diagnosis& diagnosis, const std::string& page) {
   std::string html;
   for (const std::string& sentence : SentencesOf(diagnosis)) {
@@ -209,13 +208,13 @@ std::string OtherSentences(const Diagnosis& diagnosis, const std::string& page) 
   return html.empty() ? "" : "<ol class='findings'>\n" + html + "</ol>\n";
 }
 
-/// A part of the page that is folded.
+/// A collapsible part of the page.
 std::string Folded(const std::string& title, const std::string& html) {
   if (html.empty()) return "";
   return fmt::format("<details class='part'><summary>{}</summary>\n{}</details>\n", title, html);
 }
 
-/// The figures of one location under a heading.
+/// Figures of one location under a heading.
 std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
                             const std::string& error, const Location& location) {
   const std::string& channel = diagnosed.block.channels[location.channel].name;
@@ -244,7 +243,7 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
   return html;
 }
 
-/// A line for every compared channel, and the measurements that were not compared.
+/// Table of all compared channels, and list of measurements that were not compared.
 std::string ChannelsSection(const Diagnosis& diagnosis) {
   Table table({"Channel", ">Motion", ">Noise", ">Error before", ">after", "Unit", "Explained by",
                "What is left"});
@@ -272,7 +271,7 @@ std::string ChannelsSection(const Diagnosis& diagnosis) {
       html);
 }
 
-/// The smallest size of each mechanism that would have been seen.
+/// Table of the smallest detectable size of each mechanism.
 std::string SmallestSizes(const Diagnosis& diagnosis) {
   Table table({"On", "Mechanism", "Seen from about"});
   const auto add = [&](const Candidate& candidate, std::size_t parameter,
@@ -305,7 +304,7 @@ std::string SmallestSizes(const Diagnosis& diagnosis) {
   return table.Take();
 }
 
-/// All that stands below the first screen and the table of channels.
+/// The content below the first screen and the table of channels.
 std::string Details(const Diagnosis& diagnosis, const std::string& page) {
   std::string html;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {

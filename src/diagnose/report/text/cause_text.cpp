@@ -20,9 +20,10 @@ namespace tera {
 namespace {
 
 constexpr int kDigits = 2;  ///< of a number in a plain sentence
-/// Standard deviations by which one of several numbers must differ from none to be told.
+/// One of several parameters is stated if it differs from no effect by this number of standard
+/// deviations.
 constexpr double kToldDeviations = 3;
-constexpr double kSetAxis = 0.5;  ///< value from which on an axis of `axis_flip` is reversed
+constexpr double kSetAxis = 0.5;  ///< an axis of `axis_flip` is reversed from this value on
 
 std::string Number(const ParameterEstimate& estimate) {
   return Readable(estimate.value, ReadableUnitOf(estimate));
@@ -30,11 +31,11 @@ std::string Number(const ParameterEstimate& estimate) {
 
 std::string Percents(double share) { return Significant(100 * std::abs(share), kDigits) + " %"; }
 
-/// A place of a meaning, "offset_s:ahead:behind", taken apart.
+/// A placeholder of MechanismWords::meaning, such as "offset_s:ahead:behind", split into its parts.
 struct Place {
   std::string_view name, above, below;
-  char kind = ' ';        ///< the sign that separates the words, or # or ^
-  bool percents = false;  ///< "%" behind the name
+  char kind = ' ';        ///< sign that separates the words, or # or ^
+  bool percents = false;  ///< true: "%" follows the name
 };
 
 Place PlaceOf(std::string_view text) {
@@ -77,7 +78,7 @@ std::string NumberAt(const Place& place, const ParameterEstimate& estimate) {
   }
 }
 
-/// Whether a number clearly differs from its value without the finding.
+/// True if a parameter differs clearly from its value without the finding.
 bool IsClear(const Finding& finding, const FreeParameter& free) {
   const ParameterEstimate& estimate = finding.parameters[free.index];
   const Candidate& candidate = *finding.term.candidate;
@@ -91,8 +92,8 @@ bool IsClear(const Finding& finding, const FreeParameter& free) {
   return std::abs(estimate.value - without) > kToldDeviations * estimate.sigma.value_or(0);
 }
 
-/// The fitted numbers of a finding by their names, without those in `told`. Only clear ones, but
-/// all if none is clear and `told` is empty.
+/// Fitted parameters of a finding with their names, without those in `told`. Only clear ones
+/// appear. If none is clear and `told` is empty, all appear.
 std::string NamedNumbers(const Finding& finding, const std::set<std::string_view>& told) {
   std::vector<std::string> all, clear;
   for (const FreeParameter& free : finding.term.candidate->free) {
@@ -120,7 +121,7 @@ const ParameterEstimate& EstimateAt(std::string_view name, const Finding& findin
   return *found;
 }
 
-/// The mechanism's values in the scenario, as a sentence of its own.
+/// The mechanism's values in the scenario, as a sentence.
 std::string PresentText(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
@@ -133,14 +134,13 @@ std::string PresentText(const Finding& finding) {
   return numbers.empty() ? "" : fmt::format(" The scenario has {} here.", Listed(numbers));
 }
 
-/// "valve curve", and on another target than what was found "delay of the stamps of the sensor
-/// imu".
+/// "valve curve". On another target than the finding: "delay of the stamps of the sensor imu".
 std::string LabelOf(const Candidate& candidate, const Candidate& found) {
   const std::string label(WordsOf(candidate.mechanism->id, candidate.target)->label);
   return candidate.target == found.target ? label : label + " of " + TargetText(candidate);
 }
 
-/// The kind of a sensor in front of its name, as far as the mechanism tells it.
+/// Kind of a sensor, if the mechanism implies it. It precedes the sensor's name.
 std::string SensorKindOf(const Mechanism& mechanism) {
   if (mechanism.targets == std::vector{EffectTarget::kImu}) return "inertial unit";
   if (mechanism.targets == std::vector{EffectTarget::kGnss}) return "receiver";
@@ -212,8 +212,7 @@ std::string HeadingOf(const Candidate& found, const std::vector<const Candidate*
 
 namespace {
 
-/// Probabilities of chance, on what the cause was chosen by and on what was kept back, up to which
-/// an answer goes by a word.
+/// p-values of selection and confirmation up to which a cause is called very sure, or sure.
 constexpr double kVerySure = 0.001, kSure = 0.01;
 
 std::string SurenessText(const Finding& finding) {
@@ -226,7 +225,7 @@ std::string SurenessText(const Finding& finding) {
   return p <= kVerySure ? "Very sure." : p <= kSure ? "Sure." : "Fairly sure.";
 }
 
-/// Whether a set of the next manoeuvre is of a cause and its rivals.
+/// True if a set of the next manoeuvre consists of a cause and its rivals.
 bool IsOf(const DiscriminatedSet& set, const Cause& cause) {
   return set.is_class && set.target == cause.target() &&
          std::find(set.members.begin(), set.members.end(), cause.mechanism().id) !=

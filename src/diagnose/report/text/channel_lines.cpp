@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Mean of the valid samples, or of their squares about `about`.
+/// Mean of the valid samples to a power, about `about`.
 double MeanOf(const Series& series, int power, double about = 0) {
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < series.size(); ++k) {
@@ -67,7 +67,7 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   return line;
 }
 
-/// Line of a sensor that is compared with the others, without a simulated motion.
+/// Line of a sensor that is compared with other sensors instead of with a replay.
 ChannelLine LineOf(const DiagnosedSensors& sensors, const ChannelError& error) {
   ChannelLine line{.channel = error.name, .unit = error.unit, .noise = error.noise};
   line.before = error.rms_before;
