@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators", "tera"};
   app.require_subcommand(1);
   app.set_version_flag("--version", tera::AboutProgram(),
-                       "Print the version, and what this program was built from and how");
+                       "Print the version and the build of this program");
   tera::AddGenerateCommand(&app);
   tera::AddCampaignCommand(&app);
   tera::AddCheckCommand(&app);

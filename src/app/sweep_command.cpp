@@ -73,14 +73,14 @@ void AddSweepCommand(CLI::App* app) {
   auto arguments = std::make_shared<SweepArguments>();
   CLI::App* command = app->add_subcommand(
       "sweep",
-      "What factors of a scenario do to a figure of a report (docs/reference/campaign.md)");
+      "Measure how factors of a scenario change a figure of a report (docs/reference/campaign.md)");
   command->add_option("CAMPAIGN", arguments->campaign, "Campaign file (YAML) with an outcome")
       ->required();
   command->add_option("--out", arguments->out, "Folder of the sweep; goes on where it holds one")
       ->required();
   command
       ->add_option("--processes", arguments->processes,
-                   "Most episodes and commands at once; as many as there are cores")
+                   "Most episodes and commands at once; number of cores")
       ->check(WholeNumberBetween(1, 4096));
   command->callback([arguments] { RunSweep(*arguments); });
 }

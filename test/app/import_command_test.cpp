@@ -101,7 +101,7 @@ tables: [{name: commands, columns: {boom: {column: boom, unit: "1"}}}]
   EXPECT_THAT(outcome.out, AllOf(ContainsRegex("digger/commands.csv +5 +100 Hz"),
                                  HasSubstr("2 rows left out, the first: "), HasSubstr("log.csv:8"),
                                  HasSubstr("1 intervals differ"), HasSubstr("0.06 s"),
-                                 HasSubstr("1 lever values a hair beyond full"),
+                                 HasSubstr("1 lever values slightly beyond full"),
                                  HasSubstr("1 lever values beyond full, up to 55")));
   EXPECT_FALSE(fs::exists(scratch.path() / "in"));
 }

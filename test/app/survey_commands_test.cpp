@@ -151,7 +151,7 @@ TEST_F(SurveyCommands, WhatCannotBeRegisteredEndsWithAStatusOfItsOwn) {
   const Outcome open =
       RunTera({"register", "floor.ply", "floor.ply", "--json", "open.json"}, {scratch_->path()});
   EXPECT_EQ(open.status, 5);
-  EXPECT_THAT(open.out, HasSubstr("the geometry leaves open: x, y, yaw"));
+  EXPECT_THAT(open.out, HasSubstr("not observed by the geometry: x, y, yaw"));
   EXPECT_THAT(open.out, ContainsRegex("1 sigma: x not observed y not observed z 0.0[0-9]+ m, about "
                                       "x 0.0[0-9]+ y 0.0[0-9]+ z not observed deg"));
   const json result = JsonOf(File("open.json"));
@@ -280,7 +280,7 @@ TEST(SurveyInput, ThatDoesNotFitASiteIsRefusedWithWhatToDo) {
   refuse({"coarse.ply", "--cell", "0.05"}, HasSubstr("use --cell 0.5"));
   refuse({"feet.las"}, HasSubstr("need metres"));
   refuse({"degrees.las"}, HasSubstr("reproject it"));
-  refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("leave out --map"));
+  refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("remove --map"));
   refuse({"coarse.ply", "--map", "EPSG:nought"}, HasSubstr("--map: reference system"));
   refuse({"map.las", "--local"}, HasSubstr("--local: the survey is in"));
   refuse({"map.las", "--origin", "47", "8", "400"}, HasSubstr("--origin: the survey is in"));

@@ -19,7 +19,7 @@ namespace {
 constexpr int kBusyWait_ms = 60'000;  ///< waiting time for another process that updates the index
 
 [[noreturn]] void FailIndex(const fs::path& file, FaultKind kind, const std::string& finding) {
-  throw InputError(file.string(), {kind, finding + "; delete it, and it is made anew"});
+  throw InputError(file.string(), {kind, finding + "; delete it to have it made anew"});
 }
 
 /// A value bound to an SQL statement.
@@ -123,10 +123,9 @@ EpisodeRecord OwnRecord(const Plan& plan, int number) {
       number < plan.campaign.episodes) {
     return record;
   }
-  throw InputError(file.string(),
-                   {FaultKind::kInconsistent,
-                    "is an episode of another campaign, or has another number; move it away, and "
-                    "`tera campaign run` makes the episode of this place"});
+  throw InputError(file.string(), {FaultKind::kInconsistent,
+                                   "is an episode of another campaign, or has another number; move "
+                                   "it away, and `tera campaign run` makes the right episode"});
 }
 
 void WriteRows(const CampaignState& state, Database* index) {

@@ -90,7 +90,7 @@ std::optional<Block> BlockFileReader::Next() {
   if (at_end_) return std::nullopt;
   const std::uint32_t streams = ReadNumber();
   if (streams == 0) {
-    if (left_ > 0) Fail("has more behind its end");
+    if (left_ > 0) Fail("has extra bytes after its end");
     at_end_ = true;
     return std::nullopt;
   }
@@ -129,7 +129,7 @@ void BlockFileReader::Fail(std::string_view finding) const {
   throw InputError(
       path_.string(),
       {FaultKind::kMalformed,
-       fmt::format("{}; need it as it was written, from the same version of TERA", finding)});
+       fmt::format("{}; need the original file, from the same version of TERA", finding)});
 }
 
 }  // namespace tera

@@ -47,7 +47,7 @@ double MeteredEv100(const Environment& environment) {
 void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment* environment) {
   const std::string text = config.Text("time");
   for (const char* key : {"sun_azimuth_deg", "sun_elevation_deg"}) {
-    if (config.Has(key)) config.Fault(key, "given beside time, which says it; keep one");
+    if (config.Has(key)) config.Fault(key, "given beside time, which determines it; keep one");
   }
   const std::optional<TimeNs> utc_ns = ParseUtc(text);
   if (!utc_ns) {

@@ -330,10 +330,10 @@ void LetWeatherAct(const ConfigMap& environment, double rain_mmph, Site* site) {
   if (weather.rain_mmph <= 0 && weather.evaporation_mmpd <= 0) return;
   const bool is_wet = !site->has_weather_before();
   if (site->LetWeatherAct(weather, is_wet)) return;
-  environment.Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
-                    {FaultKind::kOutOfRange,
-                     "changes more kinds of soil than there is room for, 255; need fewer soils, or "
-                     "no weather during the run"});
+  environment.Fault(
+      weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
+      {FaultKind::kOutOfRange,
+       "needs more than 255 kinds of soil; need fewer soils, or no weather during the run"});
 }
 
 /// Origin of the site: from the scenario, else from the terrain's GeoTIFF, else the default.
@@ -357,7 +357,7 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
                     "name '" + name + "' is used twice; give each machine and obstacle its own"});
     }
     if (name == "truth") {
-      config.Fault(key, "name 'truth' is a folder that every dataset has; choose another");
+      config.Fault(key, "name 'truth' is reserved for a folder of every dataset; choose another");
     }
   };
   for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");
