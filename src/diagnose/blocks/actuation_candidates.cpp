@@ -25,7 +25,7 @@ constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
 constexpr double kLateToMeasure_s = 0.03;  ///< largest delay of the rate measurement
 constexpr long kMostStepsToMeasure = 10;   ///< upper bound of that delay, in time steps of a replay
-/// delay of the rate behind a slow and a slower valve
+/// Delay of the rate behind a slow and a slower valve.
 constexpr double kLateByLags_s[] = {0.05, 0.08};
 
 /// Lower bounds of frequencies. Slower oscillations last as long as the motion between two changes

@@ -14,7 +14,7 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestEfforts = 200;
-/// relative standard deviation of inertial effort and weight
+/// Relative standard deviation of inertial effort and weight.
 constexpr double kNominalMass = 0.03;
 /// Quantile of |effort| that counts as the largest effort.
 constexpr double kLargestQuantile = 0.99;

@@ -23,7 +23,7 @@ constexpr double kPlacement_m = 0.01;  ///< standard deviation of an antenna's p
 constexpr double kLeastOffset_m = 1e-3;  ///< least standard deviation of a channel's offset
 /// Below these speeds a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastBoomTurning_radps = 0.02;
-/// half the interval over which velocities are averaged
+/// Half the interval over which velocities are averaged.
 constexpr TimeNs kHalfSpan_ns = 250'000'000;
 /// Delays in the flexible regressor: short ones, and +-18 s between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
@@ -86,7 +86,7 @@ struct ReceiverCourse {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
   std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
-  /// height and horizontal parts of the boom's direction
+  /// Vertical part of the boom's direction, and its east and north components scaled by it.
   std::vector<double> raised, raised_east, raised_north;
   std::array<std::vector<Vec3>, kLate_s.size()>
       away_m;  ///< per delay: earlier position minus present position
@@ -283,7 +283,7 @@ bool Concerns(const SensorDescription& receiver, const Structure& terms) {
 struct ReplayData {
   std::vector<SensorDescription> receivers;
   GnssLog log;
-  /// per receiver: positions under the scenario's effects
+  /// Per receiver: positions under the scenario's effects.
   std::vector<std::vector<Vec3>> documented_m;
 
   std::vector<std::vector<Vec3>> Predict(const Structure& terms) const {

@@ -16,7 +16,7 @@ constexpr std::ptrdiff_t kFewestImuIntervals = 100;
 constexpr std::size_t kQuantities = 6;
 /// Least correlation of successive intervals in a predicted quantity that shows motion.
 constexpr double kLeastCorrelation = 0.3;
-/// a link is at rest if it always turns more slowly
+/// A link is at rest if it always turns more slowly than this.
 constexpr double kLeastLinkTurning_radps = 0.02;
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};

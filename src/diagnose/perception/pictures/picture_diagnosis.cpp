@@ -16,8 +16,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastContrast =
-    0.012;  ///< standard deviation of brightness on a scale of 0 to 1: three of 255
+/// Standard deviation of brightness on a scale of 0 to 1: three of 255.
+constexpr double kLeastContrast = 0.012;
 constexpr double kFewestLandmarks = 40;    ///< mean per picture
 constexpr double kLeastCorrelation = 0.5;  ///< of brightness at the edges
 constexpr double kFurthest_px = 1;         ///< RMS distance of the edges under the best calibration

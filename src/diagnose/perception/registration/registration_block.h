@@ -63,8 +63,8 @@ struct PointResidual {
   Surface surface = Surface::kUnknown;  ///< simulated surface to which the point is associated
   double distance = 0;  ///< along the surface normal, positive behind the simulated surface or edge
   double sigma = 1;     ///< standard deviation of `distance` in the noise model
-  bool out_of_picture =
-      false;  ///< beyond the picture's border: not judged, and ignored in gains of likelihood
+  /// Beyond the picture's border: not judged, and ignored in gains of likelihood.
+  bool out_of_picture = false;
   CalibrationVector by_calibration = CalibrationVector::Zero();  ///< derivatives of `distance`
 
   bool is_judged() const { return IsComparable(surface); }

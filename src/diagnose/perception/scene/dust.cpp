@@ -28,8 +28,9 @@ constexpr double kLeastThickness_m = 0.1;  ///< thinner is a surface
 /// tenth.
 constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
 constexpr double kChosenP = 0.05, kConfirmedCloudP = 0.01;  ///< levels over all clouds
-constexpr double kLeastPresent =
-    0.25;  ///< share of stopped rays, over the 0.9 quantile of the blocks: less is clear air
+/// A block shows clear air if its share of stopped rays, over the 0.9 quantile of all blocks, is
+/// smaller.
+constexpr double kLeastPresent = 0.25;
 
 using Voxel = std::array<int, 3>;
 

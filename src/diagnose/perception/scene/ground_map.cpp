@@ -13,8 +13,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSigma_m =
-    0.01;  ///< of a cell's height: a limit that no number of scans lowers
+/// Least standard deviation of a cell's height. No number of scans makes it smaller.
+constexpr double kLeastSigma_m = 0.01;
 constexpr double kLeastDifference_m = 0.05;  ///< of a cell in a region
 constexpr double kFalseShare = 0.01;         ///< false discovery rate among cells
 constexpr double kConfirmedRegionP = 0.01;   ///< over all regions

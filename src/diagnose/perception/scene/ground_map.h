@@ -13,13 +13,13 @@ namespace tera {
 
 /// Difference between measured and simulated ground height in one cell.
 struct GroundCell {
-  double above_m =
-      0;  ///< measured minus simulated: median over blocks of time of each block's median
+  /// Measured minus simulated: median over blocks of time of each block's median.
+  double above_m = 0;
   double sigma_m = 0;  ///< standard deviation of above_m
   std::size_t blocks = 0;
   int region = -1;  ///< index of its region; -1: none
-  bool seen =
-      true;  ///< false: no ray hit the cell, and its values are copied from the nearest seen cell
+  /// False: no ray hit the cell, and its values are copied from the nearest seen cell.
+  bool seen = true;
 };
 
 /// A region in which the measured ground height differs from the simulated one.

@@ -87,8 +87,8 @@ MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& sp
     one.p_chosen = ShareP(tally.seen);
     one.p_confirmed = ShareP(tally.held_out);
     if (one.p_chosen > kAlpha / objects || one.p_confirmed > kAlpha / objects) continue;
-    one.centre_W_m = one.low_W_m = one.high_W_m =
-        tally.where_W_m / through;  // mean of the simulated hits
+    // Mean of the simulated hits.
+    one.centre_W_m = one.low_W_m = one.high_W_m = tally.where_W_m / through;
     one.rmse_before_m = std::sqrt(tally.square_m2 / tally.final_rays);
     for (const auto& [scan, point] : tally.through) missing.explained[scan][point] = true;
     missing.objects.push_back(one);

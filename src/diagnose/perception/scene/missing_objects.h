@@ -11,8 +11,8 @@ namespace tera {
 /// A simulated object that the measured rays pass through.
 struct MissingObject : SceneDifference {
   int object = 0;
-  std::size_t rays =
-      0;  ///< number of rays that hit it in the simulation, without those stopped in front of it
+  /// Number of rays that hit it in the simulation, without those stopped in front of it.
+  std::size_t rays = 0;
   double share = 0;  ///< share of these rays that pass through
 };
 
