@@ -33,7 +33,7 @@ struct DiagnosisCase {
   const Recording* recording = nullptr;
   std::vector<HeldOutCase> held_out;
   SimulateMachine simulate;                     ///< empty: the whole scenario is not simulated
-  std::vector<PerceptionDiagnosis> perception;  ///< of its lidars and cameras
+  std::vector<PerceptionDiagnosis> perception;  ///< diagnoses of the machine's lidars and cameras
   SiteOrigin origin;
   KnownPlace place;  ///< initial pose and ground in the scenario
 };

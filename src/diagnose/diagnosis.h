@@ -35,7 +35,8 @@ struct Diagnosis {
   std::vector<std::string> not_compared;  ///< each with the reason
   /// Samples at which the base may lag behind its tracks on loose ground.
   std::vector<ExcludedSamples> excluded_samples;
-  std::vector<PerceptionDiagnosis> perception;  ///< of lidars, depth cameras and colour cameras
+  /// Diagnoses of lidars, depth cameras and colour cameras.
+  std::vector<PerceptionDiagnosis> perception;
   /// Lever motions that would resolve ambiguities of this recording. Empty without ambiguities, or
   /// if no levers would resolve them.
   std::optional<NextManoeuvre> next;

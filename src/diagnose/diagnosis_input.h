@@ -62,7 +62,7 @@ struct Measurements {
   /// Poses of the base, estimated from all sensors. They are set if no poses were recorded, and
   /// only the replay of the base uses them.
   std::vector<TruthPose> estimated_poses = {};
-  TableRecording efforts;  ///< of drives
+  TableRecording efforts;  ///< efforts of the drives
   /// One list per sensor of the scenario. It is empty for a sensor of another kind, or one that was
   /// not recorded.
   std::vector<std::vector<ImuSample>> imus;

@@ -19,13 +19,14 @@ namespace {
 
 constexpr double kDegrees = 1 / kDeg;
 constexpr double kMostUnitRatio = 1.3;     ///< a factor matches a unit factor up to this ratio
-constexpr double kLeastCorrelation = 0.7;  ///< of proportional columns
-constexpr double kLeastLeverRange = 0.2;   ///< of a lever that moves
-constexpr double kLeastRange_rad = 0.05;   ///< of a position that moves
-constexpr double kLeastWay_m = 2;          ///< between start and end of a base that drives
-constexpr double kBeyondLimit_rad = 0.2;   ///< by which a position may exceed a joint's limits
-constexpr double kPair_s = 0.1;  ///< between two positions whose difference is compared with a rate
-constexpr double kLongestDelay_s = 0.9;  ///< of a rate behind its lever
+constexpr double kLeastCorrelation = 0.7;  ///< least correlation of proportional columns
+constexpr double kLeastLeverRange = 0.2;   ///< least range of a lever that moves
+constexpr double kLeastRange_rad = 0.05;   ///< least range of a position that moves
+constexpr double kLeastWay_m = 2;  ///< least distance between start and end of a base that drives
+constexpr double kBeyondLimit_rad = 0.2;  ///< tolerated excess of a position over a joint's limits
+/// Distance in time of the two positions that are compared with a rate.
+constexpr double kPair_s = 0.1;
+constexpr double kLongestDelay_s = 0.9;  ///< longest delay of a rate behind its lever
 /// Commands may end earlier than other channels by this time. If they end even earlier, they belong
 /// to another time.
 constexpr double kMostEarlyEnd_s = 10;

@@ -14,7 +14,7 @@
 
 namespace tera {
 
-/// Where a recording's files are; used in messages.
+/// Location of a recording's files, for messages.
 struct RecordedPlace {
   std::string directory, machine;
 };

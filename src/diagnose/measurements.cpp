@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-constexpr double kRounding_s = 0.05;        ///< of lengths in messages
+constexpr double kRounding_s = 0.05;        ///< rounding of lengths in messages
 constexpr double kShortestPeriod_s = 1e-4;  ///< no encoder or inertial unit samples faster
 
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {

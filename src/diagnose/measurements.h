@@ -8,7 +8,7 @@ namespace tera {
 inline constexpr double kShortestRecording_s = 20;
 
 struct MeasurementOptions {
-  double from_s = 0, to_s = 1e9;  ///< in time since its first sample
+  double from_s = 0, to_s = 1e9;  ///< diagnosed part, in time since the recording's first sample
   bool needs_any = true;          ///< true: throw if measurements are missing or too short
 };
 

@@ -10,10 +10,11 @@
 namespace tera {
 namespace {
 
-constexpr double kNeutral = 0.02;       ///< a lever below it rests: the expected dead band
-constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate, after its return to neutral
-constexpr double kMovingShare = 0.2;    ///< limit of a moving rate, over the axis's larger rates
-constexpr double kLargerRates = 0.95;   ///< quantile that represents the larger rates
+constexpr double kNeutral = 0.02;  ///< a lever below it rests: the expected dead band
+/// Longest effect of a lever on the rate after its return to neutral.
+constexpr double kLongestEffect_s = 2;
+constexpr double kMovingShare = 0.2;   ///< limit of a moving rate, over the axis's larger rates
+constexpr double kLargerRates = 0.95;  ///< quantile that represents the larger rates
 constexpr double kNoiseSigmas = 6;
 constexpr double kShake_s = 1;  ///< longest period of a machine's shaking
 constexpr double kMostShare = 0.2, kLeast_s = 2;

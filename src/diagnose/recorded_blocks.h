@@ -13,7 +13,7 @@ namespace tera {
 
 struct BlockOptions {
   bool needs_any = true;  ///< true: throw if nothing can be replayed
-  double step_s = 0.01;   ///< of the axes' replay; slow encoders make it longer
+  double step_s = 0.01;   ///< time step of the axes' replay; slow encoders make it longer
   /// Least interval for comparing the motion of the base and of inertial units.
   double base_interval_s = 0.2;
   int threads = 2;  ///< does not change the blocks

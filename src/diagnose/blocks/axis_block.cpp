@@ -21,7 +21,7 @@ namespace {
 constexpr std::ptrdiff_t kFewestSamples = 200;
 /// A rate that repeats longer than this without a lever counts as missing.
 constexpr double kLongestRepeat_s = 1;
-constexpr int kLeverLags = 12;  ///< in the flexible regressor
+constexpr int kLeverLags = 12;  ///< number of lags of the lever in the flexible regressor
 constexpr double kLongestLeverLag_s = 0.8;
 /// The drive surely has this share of the model's effort. Samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;

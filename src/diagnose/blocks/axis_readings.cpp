@@ -20,7 +20,7 @@ constexpr double kLeastBand = 0.02, kSpreadShare = 0.2, kLeastLag_s = 0.02;
 /// Static map of one direction: zero up to `dead`, then linear with `gain` up to `limit`.
 struct Ramp {
   double dead = 0, limit = 1, gain = 0;
-  Eigen::VectorXd shape;  ///< at the knots, for a gain of 1
+  Eigen::VectorXd shape;  ///< values at the knots for a gain of 1
   double taken = 0;       ///< energy of the measurement that the ramp explains
 };
 

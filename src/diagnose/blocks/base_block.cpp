@@ -18,7 +18,7 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestIntervals = 100;
-constexpr int kLags = 4;  ///< of the sides' speeds, in the flexible regressor
+constexpr int kLags = 4;  ///< number of lags of the sides' speeds in the flexible regressor
 constexpr double kLongestLag_s = 0.5;
 /// Friction coefficients. Firm: asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th
 /// ed. 2008, ch. 1). Loose: half of it, an estimate for loose or wet ground.

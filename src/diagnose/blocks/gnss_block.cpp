@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kEnuColumns = {"/east_m", "/north_m", "/up_m"};
-constexpr std::size_t kMostPositions = 1200;  ///< per receiver
+constexpr std::size_t kMostPositions = 1200;  ///< maximum per receiver
 constexpr double kLargestYaw_deg = 135;       ///< rotation of a pair; half a turn is an exchange
 constexpr double kPlacement_m = 0.01;  ///< standard deviation of an antenna's position on its link
 constexpr double kLeastOffset_m = 1e-3;  ///< least standard deviation of a channel's offset
@@ -32,8 +32,8 @@ using AxisSeries = std::array<std::vector<double>, 3>;
 
 /// Time grid shared by all receivers of a block.
 struct CommonGrid {
-  std::vector<SampleGrid> of;      ///< per receiver, for its compared samples
-  std::vector<std::size_t> every;  ///< per receiver: every n-th sample is compared
+  std::vector<SampleGrid> of;      ///< grid of each receiver's compared samples
+  std::vector<std::size_t> every;  ///< n of each receiver, if every n-th sample is compared
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -89,7 +89,7 @@ struct ReceiverCourse {
   /// Vertical part of the boom's direction, and its east and north components scaled by it.
   std::vector<double> raised, raised_east, raised_north;
   std::array<std::vector<Vec3>, kLate_s.size()>
-      away_m;  ///< per delay: earlier position minus present position
+      away_m;  ///< earlier position minus present position, for each delay
 };
 
 void AddBoom(const ReceiverLog& log, TimeNs t_ns, ReceiverCourse* course) {

@@ -11,11 +11,11 @@ namespace {
 
 /// Largest travel from the middle of the range, over the range.
 constexpr double kMostTravelShare = 0.45;
-constexpr double kEndlessTravel_s = 4;  ///< at full rate: travel of an axis without limits
+constexpr double kEndlessTravel_s = 4;  ///< travel of an axis without limits, in time at full rate
 constexpr double kShortestStep_s = 0.25, kLongestStep_s = 1.5;
-constexpr double kPause_s = 0.4;  ///< between the moves of an excitation
-constexpr double kRest_s = 1.2;   ///< at the end of an excitation
-constexpr double kRow_s = 0.02;   ///< between the moves of a ramp or wave
+constexpr double kPause_s = 0.4;  ///< pause between the moves of an excitation
+constexpr double kRest_s = 1.2;   ///< rest at the end of an excitation
+constexpr double kRow_s = 0.02;   ///< time between the moves of a ramp or wave
 constexpr double kLongestSweep_s = 6;
 /// Number of other axes that are moved away from their middle.
 constexpr std::size_t kMostHeldAxes = 2;

@@ -77,7 +77,8 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
 
 namespace {
 
-constexpr std::uint64_t kDraws = 100;  ///< of the noise: the power is right to about five per cent
+/// Draws of the noise; they give the power to about five per cent.
+constexpr std::uint64_t kDraws = 100;
 
 /// True if the tests discriminate a pair with these gains, for one draw of the noise.
 bool IsDiscriminated(const std::vector<ManoeuvreGain>& seen,
@@ -141,8 +142,9 @@ double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, cons
 
 namespace {
 
-constexpr double kSecantStep = 0.02;  ///< over a parameter's range
-constexpr double kPriorSigma = 0.3;   ///< of a parameter about its value, over its range
+constexpr double kSecantStep = 0.02;  ///< step of the secants, over a parameter's range
+/// Prior standard deviation of a parameter about its value, over its range.
+constexpr double kPriorSigma = 0.3;
 
 Eigen::VectorXd Predicted(const ReplayBlock& run, const Structure& terms) {
   const std::vector<double> y = run.predict(terms).front();

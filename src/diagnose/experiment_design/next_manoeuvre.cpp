@@ -26,11 +26,11 @@ constexpr double kReturnLever = 0.4;    ///< for returns to the middle of a rang
 constexpr double kReturnRest_s = 0.8;
 constexpr double kShortestReturn_s = 0.05;  ///< shorter returns are not driven
 constexpr double kFirstRest_s = 1;
-/// Of a pair in a class; a pair of an undetectable mechanism has 1.
+/// Weight of a pair in a class. A pair of an undetectable mechanism has the weight 1.
 constexpr double kClassWeight = 3;
 /// Least power at which an ambiguity set counts as discriminated.
 constexpr double kLeastPower = 0.5;
-constexpr std::size_t kMostKindsListed = 4;  ///< of excitations, in a description
+constexpr std::size_t kMostKindsListed = 4;  ///< kinds of excitations named in a description
 /// Number of commanded manoeuvres, in TRAIN with SELECT and in FINAL, at which no more steps are
 /// added. It is about twice the number that a diagnosis needs.
 constexpr std::size_t kAmpleSeen = 12, kAmpleFinal = 5;
@@ -141,7 +141,7 @@ class Designer {
   std::vector<AxisRange> ranges_;
   std::vector<AmbiguousAxis> open_;
   std::vector<double> at_rad_;    ///< predicted positions at the end of the run so far
-  std::vector<LeverMove> moves_;  ///< of the run so far
+  std::vector<LeverMove> moves_;  ///< lever moves of the run so far
   double length_s_ = kFirstRest_s;
 };
 

@@ -15,7 +15,7 @@ namespace tera {
 /// A future run of levers, predicted in the form of a recording.
 struct PredictedRun {
   TableRecording commands;
-  NamedEncoders encoders;       ///< of all joints and running gears
+  NamedEncoders encoders;       ///< measurements of all joints and running gears
   std::vector<double> end_rad;  ///< joint positions at the end
   std::vector<double> lowest_rad, highest_rad;
   double length_s = 0;
@@ -23,7 +23,7 @@ struct PredictedRun {
 
 /// Time steps of a prediction.
 struct PredictionSteps {
-  double step_s = 0.01;    ///< of the replay
+  double step_s = 0.01;    ///< time step of the replay
   double period_s = 0.01;  ///< sample period of the encoders
 };
 

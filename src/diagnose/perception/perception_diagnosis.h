@@ -36,12 +36,13 @@ struct PerceptionDiagnosis {
   std::string channel;     ///< "excavator1/lidar_roof"
   std::string target;      ///< the sensor's name in the scenario
   std::string not_judged;  ///< reason; empty if judged
-  std::string unit = "m";  ///< of residual distances; "px" for pictures
+  std::string unit = "m";  ///< unit of residual distances; "px" for pictures
   std::size_t scans = 0;   ///< number of scans or pictures
   std::vector<Candidate> sensor_candidates;
   std::deque<Candidate> scene_candidates;  ///< candidates of the findings in the scene
   double noise_rmse = 0;                   ///< RMS residual after a fit of all sensor candidates
-  std::vector<ParameterDetectability> detectability;  ///< of the sensor candidates
+  /// Detectable deviations of the sensor candidates.
+  std::vector<ParameterDetectability> detectability;
   GroundMap ground;  ///< compared under the fitted calibration; empty for pictures
   std::vector<PerceptionFinding> findings, unconfirmed;
 

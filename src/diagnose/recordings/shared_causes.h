@@ -37,7 +37,8 @@ struct SharedCause {
   const Candidate* candidate = nullptr;
   /// Mechanisms that fit all of these recordings equally; `candidate` comes first.
   std::vector<const Candidate*> rivals;
-  std::vector<CauseInRecording> recordings;  ///< in the order of the diagnoses
+  /// One result per recording, in the order of the diagnoses.
+  std::vector<CauseInRecording> recordings;
   std::vector<SharedNumber> numbers;
 
   const Mechanism& mechanism() const { return *candidate->mechanism; }

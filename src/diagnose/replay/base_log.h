@@ -14,7 +14,8 @@ namespace tera {
 struct BaseInstant {
   std::vector<double> gear_rate_radps;  ///< one per running gear
   Mat3 R_WB = Mat3::Identity();
-  Vec2 turning_centre_m = Vec2::Zero();  ///< at the measured joint positions (turning_centre.h)
+  /// Turning centre at the measured joint positions (turning_centre.h).
+  Vec2 turning_centre_m = Vec2::Zero();
 };
 
 /// Motion of the base between two measured poses.

@@ -16,7 +16,7 @@ struct PoseStamps {
 /// Ground friction that limits the machine's acceleration.
 struct Grip {
   double friction;
-  double yaw_inertia_kgm2;  ///< of the whole machine, positive
+  double yaw_inertia_kgm2;  ///< yaw inertia of the whole machine, positive
 };
 
 /// Replays the base's motion on the ground. Inputs are the measured rates of the running gear and

@@ -20,10 +20,11 @@ constexpr double kMostBandOfRate = 0.2;
 /// Samples of the comparison per period of the band. The Gaussian still passes a quarter at twice
 /// the band, which is half their rate.
 constexpr double kSamplesPerPeriod = 4;
-constexpr double kReachInSigma = 4;          ///< of the truncated Gaussian
-constexpr double kMostRestShare = 0.01;      ///< of the largest rate: a joint below it is at rest
-constexpr double kLongestGapSteps = 5;       ///< in sample periods: longer intervals are gaps
-constexpr std::size_t kFewestSamples = 100;  ///< of effort and of position
+constexpr double kReachInSigma = 4;  ///< half the length of the truncated Gaussian
+/// A joint below this share of its largest rate is at rest.
+constexpr double kMostRestShare = 0.01;
+constexpr double kLongestGapSteps = 5;       ///< longer intervals, in sample periods, are gaps
+constexpr std::size_t kFewestSamples = 100;  ///< least number of samples of effort and of position
 constexpr std::size_t kMostFineSteps = 10'000'000;
 
 struct Samples {

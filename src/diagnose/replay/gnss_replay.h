@@ -21,7 +21,7 @@ struct ReceiverLog {
   std::vector<bool> known;   ///< true if the antenna's motion was measured at that time
   /// Motion of a boom that reflects signals to the antenna, if present.
   std::optional<LinkTrack> boom;
-  Vec3 boom_direction_B = Vec3::Zero();  ///< from the boom's foot to its tip
+  Vec3 boom_direction_B = Vec3::Zero();  ///< direction from the boom's foot to its tip
 };
 
 /// Logs of the receivers that are compared together: one, or a pair.

@@ -71,7 +71,7 @@ class ImuReplay {
     std::vector<Mat3> R_WS;  ///< attitude of the documented unit
   };
   Carried fine_;
-  Carried means_;  ///< over intervals; used for linear effects
+  Carried means_;  ///< means over intervals, used for linear effects
 };
 
 }  // namespace tera

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastTurning_radps = 1e-3;  ///< of a running gear: slower is rest
+constexpr double kLeastTurning_radps = 1e-3;  ///< running gear that turns more slowly is at rest
 /// Motion is known between measurements that are at most this far apart.
 constexpr TimeNs kNear_ns = 300'000'000;
 

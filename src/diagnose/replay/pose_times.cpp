@@ -19,8 +19,9 @@ constexpr double kPerRad_m = 1;         ///< about the radius of a machine's out
 /// Intervals of stamps within this relative deviation from the median determine the period.
 constexpr double kUsualDeviation = 0.25;
 constexpr double kPeriodUncertainty = 0.01;  ///< relative to the period
-constexpr TimeNs kLeastWait = 2;             ///< in periods, of the pose that waits longest
-constexpr std::size_t kLongestQueue = 50;    ///< largest number of waiting poses
+/// Wait of the latest pose, in periods, that shows arrival stamps.
+constexpr TimeNs kLeastWait = 2;
+constexpr std::size_t kLongestQueue = 50;  ///< largest number of waiting poses
 
 /// Distance of each pose from the previous one.
 std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {

@@ -97,7 +97,7 @@ namespace {
 
 constexpr double kSquareShare = 1.0 / 30;  ///< side of a square, over the picture's width
 constexpr double kBorderShare = 0.02;      ///< margin without landmarks, over the picture's width
-constexpr double kLeastGradient = 0.08;    ///< per pixel, of normalised brightness
+constexpr double kLeastGradient = 0.08;    ///< least gradient of normalised brightness, per pixel
 constexpr double kLeastEdge = 1e-3;        ///< least divisor of a residual, per pixel
 /// Standard deviations of normalised brightness, of an edge's position, and of a camera shift at
 /// each level.

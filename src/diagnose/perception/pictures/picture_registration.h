@@ -100,14 +100,14 @@ class PictureRegistration {
   /// Correlation coefficient of measured and simulated brightness to either side of the landmarks.
   double Correlation(const std::vector<ScanPoints>& points,
                      const SensorCalibration& calibration) const;
-  double MeanLandmarks() const;  ///< per frame
+  double MeanLandmarks() const;  ///< mean number of landmarks per frame
 
  private:
   struct Landmark {
-    Vec3 p_m = Vec3::Zero();  ///< in W; in B for a point on the machine
+    Vec3 p_m = Vec3::Zero();  ///< point in W; in B for a point on the machine
     Surface surface = Surface::kGround;
     float value = 0;               ///< simulated brightness
-    Vec2 gradient = Vec2::Zero();  ///< of the simulated brightness, per pixel
+    Vec2 gradient = Vec2::Zero();  ///< gradient of the simulated brightness, per pixel
   };
   /// Landmarks of one square of a picture, one per level.
   using Square = std::array<std::optional<Landmark>, PictureLevels::kCount>;
@@ -127,7 +127,8 @@ class PictureRegistration {
 
   const PictureSource& source_;
   std::vector<PictureLevels> measured_;
-  std::vector<std::vector<Square>> squares_;  ///< per frame: squares with a landmark at level 0
+  /// For each frame, the squares with a landmark at level 0.
+  std::vector<std::vector<Square>> squares_;
 };
 
 }  // namespace tera

@@ -31,7 +31,7 @@ struct ParameterDetectability {
 /// Result of the search for effects on a sensor.
 struct RegistrationSearch {
   Structure found;                ///< confirmed terms
-  SensorCalibration calibration;  ///< with the confirmed terms
+  SensorCalibration calibration;  ///< calibration with the confirmed terms
   double scale = 1;               ///< actual noise over modelled noise
   double noise_rmse = 0;          ///< RMS residual after a fit of all candidates
   /// Each finding has its evidence, and its error on FINAL without and with it. It has no location,

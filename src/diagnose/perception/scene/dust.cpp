@@ -19,7 +19,7 @@ constexpr double kLeastBeforeSurface_m = 0.5, kLeastOverGround_m = 0.3;
 constexpr double kVoxel_m = 0.5;
 constexpr double kStep_m = 0.5 * kVoxel_m;      ///< step along a ray through voxels
 constexpr int kCloudReach = 2;                  ///< distance in voxels at which voxels are linked
-constexpr std::size_t kFewestReturns = 40;      ///< per cloud
+constexpr std::size_t kFewestReturns = 40;      ///< minimum per cloud
 constexpr std::size_t kFewestOfCubicMetre = 6;  ///< needed to compute a scatter
 constexpr std::size_t kMostParts = 8;           ///< into which the recording is divided
 constexpr double kMostStopped = 0.6;  ///< share of rays: a cloud that stops more is a solid object

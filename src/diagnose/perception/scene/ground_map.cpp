@@ -15,12 +15,12 @@ namespace {
 
 /// Least standard deviation of a cell's height. No number of scans makes it smaller.
 constexpr double kLeastSigma_m = 0.01;
-constexpr double kLeastDifference_m = 0.05;  ///< of a cell in a region
+constexpr double kLeastDifference_m = 0.05;  ///< least height difference of a cell in a region
 constexpr double kFalseShare = 0.01;         ///< false discovery rate among cells
-constexpr double kConfirmedRegionP = 0.01;   ///< over all regions
+constexpr double kConfirmedRegionP = 0.01;   ///< level of confirmation, over all regions
 constexpr double kLeastAgain = 0.5;  ///< share of a region's height, on FINAL and in its intervals
-constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< per judged cell
-constexpr std::size_t kFewestCells = 4;                            ///< per region
+constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< minimum per judged cell
+constexpr std::size_t kFewestCells = 4;                            ///< minimum per region
 constexpr int kReach = 2;              ///< distance in cells at which cells are linked
 constexpr double kWall_m = 0.3;        ///< height range within a cell that indicates a wall
 constexpr double kWallShare = 0.35;    ///< share of cells with walls that indicates an object

@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr double kSameRange_m = 0.3;  ///< between a measured point and an object hit by a test ray
+/// Largest difference in range between a measured point and an object that occludes it.
+constexpr double kSameRange_m = 0.3;
 constexpr double kTurns_rad[] = {0.4 * kDeg, 1.2 * kDeg};
 constexpr int kDirections = 8;
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Least distances of a point behind or in front of a surface, along the ray and along the normal.
 constexpr double kLeastAlongRay_m = 0.3, kLeastAlongNormal_m = 0.15;
-constexpr double kAlpha = 0.01;  ///< of both tests, over all objects
+constexpr double kAlpha = 0.01;  ///< level of both tests, over all objects
 constexpr std::size_t kFewestRays = 20;
 constexpr ModeratedTTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
@@ -20,7 +20,7 @@ struct RayCount {
 };
 
 struct Tally {
-  std::map<std::size_t, RayCount> seen, held_out;            ///< by block
+  std::map<std::size_t, RayCount> seen, held_out;            ///< counts of rays, by block of time
   std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point
   Vec2 where_W_m = Vec2::Zero();
   double square_m2 = 0, final_rays = 0;

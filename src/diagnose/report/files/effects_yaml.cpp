@@ -20,7 +20,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kListWidth = 92;  ///< of a line of numbers
+constexpr std::size_t kListWidth = 92;  ///< longest line of numbers, in characters
 constexpr char kNoCurve[] = "no formula and no curve over one variable explains a twentieth of it";
 
 /// Lines of one target, in the order of the findings' ranks.

@@ -128,7 +128,7 @@ void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
   }
 }
 
-constexpr std::size_t kMostEntries = 4;  ///< per box
+constexpr std::size_t kMostEntries = 4;  ///< maximum per box
 
 /// A sign with the same meaning as a box's frame, readable without colour.
 std::string Sign(std::string_view css_class, std::string_view sign) {

@@ -14,10 +14,10 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPoints = 1500;  ///< per line
-constexpr double kLongestWindow_s = 10;    ///< of measured and predicted values
+constexpr std::size_t kMostPoints = 1500;  ///< maximum per line
+constexpr double kLongestWindow_s = 10;    ///< longest window of measured and predicted values
 constexpr int kShades = 6;                 ///< colours of a map, per sign of the difference
-constexpr double kLongestSide = 400;       ///< of a map, in SVG units
+constexpr double kLongestSide = 400;       ///< longer side of a map, in SVG units
 
 std::string Figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);

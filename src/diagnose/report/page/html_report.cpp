@@ -24,7 +24,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostCauses = 12;  ///< with their own section
+constexpr std::size_t kMostCauses = 12;  ///< number of causes with their own section
 
 std::string Paragraph(std::string_view css_class, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class='{}'>{}</p>\n", css_class, Escaped(text));

@@ -19,7 +19,7 @@
 namespace tera {
 namespace {
 
-constexpr int kDigits = 2;  ///< of a number in a plain sentence
+constexpr int kDigits = 2;  ///< significant digits in a plain sentence
 /// One of several parameters is stated if it differs from no effect by this number of standard
 /// deviations.
 constexpr double kToldDeviations = 3;

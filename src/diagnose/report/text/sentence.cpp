@@ -14,13 +14,13 @@
 namespace tera {
 namespace {
 
-constexpr int kPresentDigits = 4;  ///< of a value that the scenario already has
+constexpr int kPresentDigits = 4;  ///< significant digits of a value that the scenario already has
 /// A mechanism with at most this number of free parameters reports all of them.
 constexpr std::size_t kFewNumbers = 3;
 /// With more parameters, a parameter is reported beyond this number of standard deviations from its
 /// default.
 constexpr double kClearDeviations = 3;
-constexpr std::size_t kMostRivalsNamed = 2;  ///< of the rejected rivals
+constexpr std::size_t kMostRivalsNamed = 2;  ///< number of rejected rivals that are named
 
 /// True if a parameter is written without its name. It is the first and only parameter that the
 /// mechanism requires, so the mechanism's name is enough.
