@@ -13,8 +13,8 @@
 
 namespace tera {
 
-/// Progress of a diagnosis. It is reported before each block, and after each block with its
-/// diagnosis. Several blocks may be in progress at once.
+/// Progress of a diagnosis, reported before each block, and after each block with its diagnosis.
+/// Several blocks may be in progress at once.
 struct BlockProgress {
   std::string machine;
   std::string block;

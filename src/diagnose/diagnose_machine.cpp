@@ -183,8 +183,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
   StateTolerances(input.tolerances, &blocks, LeverInterval_s(input.commands));
-  // With missing input, the simulated drive differs from the recorded one. It then does not show
-  // what the replays lack.
+  // With missing input, the simulated drive differs from the recorded one, and does not show what
+  // the replays lack.
   const bool is_same_drive = course && diagnosis.missing_input.empty();
   diagnosis.discrepancy_corrections =
       is_same_drive

@@ -36,8 +36,8 @@ void Add(const ReplayBlock& block, const BaselineAnswer& answer, Json* method) {
   Put(block, answer.rmse_final, &(*method)["rmse"]);
 }
 
-/// Name of a scenario's machine in the recording. It is the same name, or the only machine if both
-/// have just one.
+/// Name of a scenario's machine in the recording: the same name, or the only machine if scenario
+/// and recording have just one.
 std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                             const Recording& recording) {
   const std::vector<std::string> names = recording.Machines();

@@ -59,12 +59,12 @@ struct Measurements {
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
   bool poses_were_measured = false;  ///< true if the poses come from a real recording
-  /// Poses of the base, estimated from all sensors. They are set if no poses were recorded, and
-  /// only the replay of the base uses them.
+  /// Poses of the base, estimated from all sensors if no poses were recorded. Only the replay of
+  /// the base uses these poses.
   std::vector<TruthPose> estimated_poses = {};
   TableRecording efforts;  ///< efforts of the drives
-  /// One list per sensor of the scenario. It is empty for a sensor of another kind, or one that was
-  /// not recorded.
+  /// One list per sensor of the scenario, empty for a sensor of another kind or without a
+  /// recording.
   std::vector<std::vector<ImuSample>> imus;
   std::vector<std::vector<GnssSample>> gnss;  ///< likewise
   /// Axes with inverted sign. `encoders` has the corrected sign.

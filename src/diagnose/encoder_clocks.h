@@ -13,16 +13,16 @@ namespace tera {
 /// so a lead shows that the clocks differ. Returns nothing without a lead.
 ///
 /// Model   The rate of each driven joint or track is compared with the scenario's prediction,
-///         shifted by up to 0.5 s. The best shift explains most of the rate's energy. It is a lead
-///         if it exceeds 0.04 s and explains at least half of the energy. It must also at least
-///         halve the residual of the unshifted prediction. The result is the mean over encoders. At
-///         least two must have a lead, and all must agree within a quarter.
+///         shifted by up to 0.5 s. The best shift explains most of the rate's energy. The best
+///         shift is a lead if it exceeds 0.04 s and explains at least half of the energy. A lead
+///         must also at least halve the residual of the unshifted prediction. The result is the
+///         mean over encoders. At least two must have a lead, and all must agree within a quarter.
 /// Omits   Clocks that drift; a lead of single joints.
 std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 
-/// Shifts encoder stamps to the times of measurement. This needs a finding on the encoders' clock
-/// without rivals, and confirmation by the levers. Unshifted stamps would give each joint a delay
-/// as well. Returns true if a stamp has changed.
+/// Shifts encoder stamps to the times of measurement. The shift needs a finding on the encoders'
+/// clock without rivals, and confirmation by the levers. Unshifted stamps would give each joint a
+/// delay as well. Returns true if a stamp has changed.
 ///
 /// Model   Sensors alone cannot distinguish late encoders from other sensors that are all early.
 ///         The levers decide: the rates that the scenario predicts are compared with the measured

@@ -36,7 +36,7 @@ std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Meas
                                          const BlockOptions& options,
                                          const std::optional<SimulatedCourse>& course = {});
 
-/// Removes and returns the blocks of inertial units and receivers. They follow the base's block.
+/// Removes and returns the blocks of inertial units and receivers, which follow the base's block.
 std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
                                           std::vector<ReplayBlock>* blocks);
 

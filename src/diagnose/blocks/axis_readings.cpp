@@ -44,7 +44,8 @@ const std::vector<Ramp>& RampsBetweenKnots() {
   return shapes;
 }
 
-/// The ramp with positive gain that explains most energy. Its gain is zero if none explains any.
+/// The ramp with positive gain that explains most energy. Returns a ramp with zero gain if none
+/// explains any energy.
 Ramp BestRamp(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull) {
   Ramp best{.shape = Eigen::VectorXd::Zero(kMapKnots)};
   for (const Ramp& ramp : RampsBetweenKnots()) {

@@ -175,8 +175,8 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
-/// Changes of the motion of the contact area's middle if the machine turns about another point.
-/// They use the measured yaw rate: one column forward, two to the left.
+/// Changes of the motion of the contact area's middle if the machine turns about another point with
+/// the measured yaw rate. One column is forward, two are to the left.
 ///
 /// Model   turning_centre.h gives the point. On a side slope, the point also moves along the tracks
 ///         until lateral friction holds the machine. This shift is L tan(roll) / (2 mu), with the

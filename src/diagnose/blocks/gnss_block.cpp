@@ -50,7 +50,7 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
-/// Thinning factor per receiver. It is proportional to the number of positions.
+/// Thinning factor per receiver, proportional to the number of positions.
 std::vector<std::size_t> ThinningOf(const GnssLog& log) {
   std::size_t most = 1;
   for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());

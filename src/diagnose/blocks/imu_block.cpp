@@ -222,8 +222,8 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   return variables;
 }
 
-/// Rates about the three axes, each divided by its maximum. They serve as commands that separate
-/// manoeuvres. At rest, one command covers the whole recording.
+/// Rates about the three axes, each divided by its maximum, as commands that separate manoeuvres.
+/// At rest, one command covers the whole recording.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
     const std::size_t size = predicted[0].size();

@@ -14,8 +14,8 @@ struct LeverMove {
   double lever = 0;
 };
 
-/// A short sequence of lever moves that excites one axis. It ends near its starting position, with
-/// all levers in neutral.
+/// A short sequence of lever moves that excites one axis. The axis ends near its starting position,
+/// with all levers in neutral.
 struct Excitation {
   std::string what;  ///< name in the description of a run: "steps of 0.25"
   std::vector<LeverMove> moves;
@@ -34,9 +34,9 @@ struct AxisRange {
   double Middle_rad(double otherwise) const;
 };
 
-/// Excitations of one axis around the middle of its range. They are steps and reversals of several
-/// sizes, slow ramps through neutral, stairs, sweeps over the range, and waves. Further steps run
-/// while one of `others` is away from its middle, which changes the load.
+/// Excitations of one axis around the middle of its range: steps and reversals of several sizes,
+/// slow ramps through neutral, stairs, sweeps over the range, and waves. Further steps run while
+/// one of `others` is away from its middle, which changes the load.
 ///
 /// Model   Rates are proportional to the lever. A move takes at most 0.45 of the range from its
 ///         middle. Steps last 0.25 to 1.5 s. Excitations that need a wider range are left out.

@@ -33,8 +33,8 @@ struct AmbiguitySet {
 std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
                                           const BlockDiagnosis& diagnosis);
 
-/// Probability that a diagnosis of `run` identifies the true hypothesis of a set. It is the minimum
-/// over the set's pairs. It is 0 if the run has too few manoeuvres for a diagnosis.
+/// Probability that a diagnosis of `run` identifies the true hypothesis of a set: the minimum over
+/// the set's pairs. Returns 0 if the run has too few manoeuvres for a diagnosis.
 ///
 /// Model   The prediction of the true hypothesis replaces the measurements. The alternative is
 ///         fitted to it over TRAIN and SELECT. A class uses the tests of rivals
@@ -46,16 +46,16 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
 double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, const NoiseModel& noise,
                            double level, const Stream& stream);
 
-/// Information of one excitation on a rival pair. These are the normal equations that fit the
-/// alternative's parameters and nuisances to the difference between both predictions.
+/// Information of one excitation on a rival pair. The normal equations fit the alternative's
+/// parameters and nuisances to the difference between both predictions.
 struct PairInformation {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
   double energy = 0;  ///< squared norm of the whitened difference
 
   PairInformation& operator+=(const PairInformation& other);
-  /// Log-likelihood by which the true hypothesis exceeds the best fit of the alternative. It is
-  /// half of the energy that the alternative's parameters cannot explain.
+  /// Log-likelihood by which the true hypothesis exceeds the best fit of the alternative: half of
+  /// the energy that the alternative's parameters cannot explain.
   double Lead() const;
 };
 

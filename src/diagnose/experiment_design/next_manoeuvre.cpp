@@ -32,7 +32,7 @@ constexpr double kClassWeight = 3;
 constexpr double kLeastPower = 0.5;
 constexpr std::size_t kMostKindsListed = 4;  ///< kinds of excitations named in a description
 /// Number of commanded manoeuvres, in TRAIN with SELECT and in FINAL, at which no more steps are
-/// added. It is about twice the number that a diagnosis needs.
+/// added: about twice the number that a diagnosis needs.
 constexpr std::size_t kAmpleSeen = 12, kAmpleFinal = 5;
 constexpr std::size_t kMostSteps = 12;  ///< added to one axis
 

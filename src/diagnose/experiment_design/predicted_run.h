@@ -37,7 +37,7 @@ PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>&
                         double length_s, std::vector<double> start_rad,
                         const PredictionSteps& steps);
 
-/// Runs joined in time. Each starts from its own positions.
+/// Runs joined in time. Each run starts from its own positions.
 PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
 
 /// Block of an axis over a predicted run. Returns nothing if the run is too short.

@@ -17,7 +17,7 @@ constexpr double kDifferingP = 0.01;
 
 using Candidates = std::vector<const Candidate*>;
 
-/// True if both candidates have the same mechanism and target. They may belong to two recordings.
+/// True if both candidates, perhaps of two recordings, have the same mechanism and target.
 bool AreOne(const Candidate& a, const Candidate& b) {
   return a.target == b.target && a.mechanism == b.mechanism;
 }

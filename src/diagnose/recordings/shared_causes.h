@@ -32,8 +32,8 @@ struct SharedNumber {
 
 /// A cause that one or several recordings of a machine name.
 struct SharedCause {
-  /// Mechanism that most recordings name, among those that fit every recording with the cause. It
-  /// belongs to one of these recordings.
+  /// Mechanism that most recordings name, among those that fit every recording with the cause.
+  /// Points into the diagnosis of one of these recordings.
   const Candidate* candidate = nullptr;
   /// Mechanisms that fit all of these recordings equally; `candidate` comes first.
   std::vector<const Candidate*> rivals;
@@ -55,10 +55,10 @@ struct SharedCause {
 ///
 /// Model   Two recordings name the same cause if their classes (a finding and its rivals)
 ///         intersect. The class of the cause is the intersection over all recordings. Parameters
-///         are pooled (Pool). They differ at p of at most 0.01, by Holm's method over all of them.
-///         A recording lacks a cause that it does not name if an effect of the size in the other
-///         recordings was detectable in it. Sizes are compared on the candidate's starting values,
-///         from faint to strong.
+///         are pooled (Pool). A parameter differs between recordings at p of at most 0.01, by
+///         Holm's method over all parameters. A recording lacks a cause that it does not name if an
+///         effect of the size in the other recordings was detectable in it. Sizes are compared on
+///         the candidate's starting values, from faint to strong.
 /// Omits   Joint evidence of several recordings: each is diagnosed alone. The form error of the
 ///         library is five per cent of a parameter, and it is the same in all recordings. Therefore
 ///         the standard deviation of a pooled parameter is slightly too small, and smaller

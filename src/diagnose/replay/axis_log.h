@@ -22,8 +22,8 @@ struct MeasuredRate {
   std::vector<bool> is_free;
 };
 
-/// Levers and measured motion of a machine's axes at even steps. This is the input to a replay of
-/// the actuation chain. Axes are the joints, then the running gears, in the model's order.
+/// Levers and measured motion of a machine's axes at even steps: the input to a replay of the
+/// actuation chain. Axes are the joints, then the running gears, in the model's order.
 ///
 /// Model   A command holds until the next one; before the first, levers are neutral. Levers are
 ///         means over each step. Positions and rates are linear between samples. Loads and inertias

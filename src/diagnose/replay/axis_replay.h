@@ -16,8 +16,8 @@ namespace tera {
 /// arise, so they do not accumulate.
 ///
 /// Model   Actuation runs over the steps of the log. A joint follows the rate that its drive
-///         demands. Its acceleration is limited by full effort minus load, over the inertia of the
-///         links beyond it.
+///         demands. Full effort minus load, over the inertia of the links beyond the joint, limits
+///         the joint's acceleration.
 /// Omits   Joints that the ground or their end stops support; the inertia of other joints and of
 ///         the gears; limits of effort by position and direction; `payload`, whose weight is not in
 ///         the log's loads; the real losses of `command_drops`, which draws its own.
@@ -40,7 +40,7 @@ struct AxisEffects {
   Effects axis, pump;
 };
 
-/// Replays the actuation chain of one axis. It is fast enough for the thousands of evaluations of a
+/// Replays the actuation chain of one axis, fast enough for the thousands of evaluations of a
 /// search. The demand of the pump's other functions is fixed (pump_demand.h). An axis with several
 /// pumps always gets its full demand.
 class LoneAxisReplay {
@@ -54,16 +54,16 @@ class LoneAxisReplay {
     double rate = 1, effort = 1;
   };
 
-  /// Rates with `effects` in place of the model's. They hold at the times of the measured rate, or
-  /// at the first `most` of them.
+  /// Rates with `effects` in place of the model's, at the times of the measured rate or at the
+  /// first `most` of these times.
   std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal,
                               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   std::vector<double> Predict(const AxisEffects& effects) const {
     return Predict(effects, Nominal());
   }
 
-  /// One flag per time of the measured rate. It is true if full effort could not reach the demanded
-  /// rate at that time, or since the previous one.
+  /// One flag per time of the measured rate: true if full effort could not reach the demanded rate
+  /// at that time, or since the previous one.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
   /// A copy with `learned` as the axis's learned effect.

@@ -39,8 +39,8 @@ struct GearSamples {
   }
 };
 
-/// True if a gear's angle agrees with the integral of its rate over windows of a second. It does
-/// not agree if it wraps, belongs to a motor, or is missing.
+/// True if a gear's angle agrees with the integral of its rate over windows of a second. An angle
+/// that wraps, belongs to a motor or is missing does not agree.
 bool AngleIsOfRate(const GearSamples& gear) {
   double since_s = 0, apart_rad = 0, squares = 0, rates = 0, windows = 0;
   for (std::size_t k = 1; k < gear.t_ns.size(); ++k) {

@@ -27,7 +27,7 @@ struct BaseInterval {
   std::size_t first = 0, count = 0;  ///< its instants, at least one
 };
 
-/// Motion of a machine's running gear and base. This is the input to the replay of the ground.
+/// Motion of a machine's running gear and base: the input to the replay of the ground.
 ///
 /// Frames  B root link. Twists are those of the middle of the contact area. Forward and left refer
 ///         to the heading half-way through the interval; yaw is about the vertical.

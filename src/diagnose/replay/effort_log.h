@@ -15,8 +15,8 @@ namespace tera {
 /// Model   A Gaussian with -3 dB at `band_hz` smooths the position. Rate and acceleration are
 ///         convolutions with its derivatives, so no raw signal is differentiated or delayed. The
 ///         same Gaussian smooths the measured effort and a replay's friction. `inertial` and
-///         `weight` are the efforts of all links beyond the joint. They use the measured motion of
-///         all joints on a level, standing machine. Joints without an encoder keep their initial
+///         `weight` are the efforts of all links beyond the joint, for the measured motion of all
+///         joints on a level, standing machine. Joints without an encoder keep their initial
 ///         position.
 /// Omits   Soil on tools, ground contact, a moving base.
 struct EffortLog {
@@ -27,14 +27,14 @@ struct EffortLog {
   /// Rate at the encoder's steps, over the whole log.
   double fine_s = 0;
   std::vector<double> fine_rate_radps;
-  /// Smoothing weights: a Gaussian sampled at the encoder's steps. Their number is odd and their
-  /// sum is 1.
+  /// Smoothing weights: a Gaussian sampled at the encoder's steps, with an odd number of weights
+  /// and a sum of 1.
   std::vector<double> kernel;
 
-  /// Grid of the comparison: the fine step of each sample, and the quantities there. It has four
-  /// samples per period of `band_hz`, because the Gaussian passes some content above the band. A
-  /// sample is a gap if effort or motion was not measured. It is also a gap if the joint rested,
-  /// because static friction then supports any load.
+  /// Grid of the comparison: the fine step of each sample, and the quantities there. The grid has
+  /// four samples per period of `band_hz`, because the Gaussian passes some content above the band.
+  /// A sample is a gap if effort or motion was not measured, or if the joint rested. At rest,
+  /// static friction supports any load.
   TimeNs first_ns = 0;
   std::vector<std::size_t> at_fine;
   Series measured;

@@ -27,7 +27,7 @@ struct ReceiverLog {
 /// Logs of the receivers that are compared together: one, or a pair.
 using GnssLog = std::vector<ReceiverLog>;
 
-/// Makes one log per receiver. A log is empty if the motion of the antenna's link is unknown. It
+/// Makes one log per receiver. A log is empty if the motion of the antenna's link is unknown. A log
 /// has no positions if the receiver never had the documented fix.
 GnssLog MakeGnssLog(const MachineModel& model, const std::vector<SensorDescription>& receivers,
                     const std::vector<std::vector<GnssSample>>& samples,
@@ -36,13 +36,13 @@ GnssLog MakeGnssLog(const MachineModel& model, const std::vector<SensorDescripti
 
 /// Predicts the positions that receivers measure along a measured motion.
 ///
-/// Model   The antenna is at its true mount (TrueAntenna for a pair), with its documented bias. Its
-///         position is taken at the time at which its clock shows the stamp. The slots of a
-///         receiver follow: `multipath` of the boom, datums, filter, steps.
+/// Model   The antenna is at its true mount (TrueAntenna for a pair), with its documented bias. The
+///         position is taken at the time at which the receiver's clock shows the stamp. The slots
+///         of a receiver follow: `multipath` of the boom, datums, filter, steps.
 /// Omits   Noise, and the random effects `float_jump`, `outliers` and jitter of `latency`.
 class GnssReplay {
  public:
-  /// `receivers` and `log` must outlive this object. They have the same number of entries, one or
+  /// `receivers` and `log` must outlive this object, and have the same number of entries, one or
   /// two.
   GnssReplay(const std::vector<SensorDescription>& receivers, const GnssLog& log)
       : receivers_(receivers), log_(log) {}

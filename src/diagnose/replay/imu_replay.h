@@ -10,7 +10,7 @@ namespace tera {
 
 /// Mean measurements of an inertial unit over even intervals, and the motion of its link.
 ///
-/// Frames  S the unit as documented. Both quantities are in S.
+/// Frames  S the unit as documented. Turn rates and forces are in S.
 /// Model   Interval k >= 1 ends at clock.Due(k) and is entry k - 1. Turn rates are plain means over
 ///         the interval. Specific forces are smoothed like those of the replay, which knows the
 ///         motion only at the track's steps. A trapezoid over three steps smooths them in W; the
@@ -33,8 +33,8 @@ struct ImuLog {
 /// Omits   Pose noise that is slower than a few pose periods.
 double ImuInterval_s(const std::vector<TruthPose>& poses);
 
-/// Makes the log of a unit. It has no intervals if the link's track is empty or if the unit has no
-/// samples in it.
+/// Makes the log of a unit. The log has no intervals if the link's track is empty, or if the unit
+/// has no samples during the track.
 ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
                   const std::vector<ImuSample>& samples, const std::vector<NamedEncoders>& encoders,
                   const std::vector<TruthPose>& poses, double interval_s);

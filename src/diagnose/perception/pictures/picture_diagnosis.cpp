@@ -60,8 +60,8 @@ SplitPoints LandmarksToRegister(const PictureRegistration& pictures, const ScanS
       split, [&](const std::vector<Part>& parts) { return pictures.PointsOf(split, parts); });
 }
 
-/// Search input of a camera. It evaluates the registration to which `pictures` points when it is
-/// called.
+/// Search input of a camera. A call of `residuals` evaluates the registration to which `pictures`
+/// points at that time.
 RegistrationBlock BlockOf(const PictureSource& source,
                           const std::unique_ptr<PictureRegistration>& pictures) {
   return {source.X_BS, source.present,

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// The constant c of PictureLevels, on a scale of 0 to 1. It suppresses areas with less contrast.
+/// The constant c of PictureLevels, on a scale of 0 to 1, suppresses areas with less contrast.
 constexpr double kLeastSpread = 0.05;
 constexpr double kWindowShare = 0.05;  ///< window for mean and variance, over the picture's width
 

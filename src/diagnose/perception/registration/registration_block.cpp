@@ -166,7 +166,7 @@ class Candidates {
   Candidates(const std::string& sensor, EffectTarget kind, const Effects& present)
       : kind_(kind), list_(sensor, kind, present, SensorMechanisms()) {}
 
-  /// Adds a mechanism if the kind of sensor has it. All its parameters are free within the table's
+  /// Adds a mechanism if the kind of sensor has it, with all parameters free within the table's
   /// ranges.
   void Add(std::string_view id, const std::vector<std::vector<double>>& starts) {
     const auto mechanism =

@@ -23,7 +23,7 @@ namespace tera {
 /// Model   A block lasts one second, or a fortieth of the recording if that is longer. Ten
 ///         consecutive blocks form a round: four for TRAIN, three for SELECT and three for FINAL,
 ///         in random order.
-/// Omits   Pose noise that lasts longer than a block. It counts as a sensor error.
+/// Omits   Pose noise that lasts longer than a block, which counts as a sensor error.
 struct ScanSplit {
   std::vector<std::size_t> block;  ///< block of each scan; blocks without scans are not counted
   std::vector<Part> part;          ///< part of each scan
@@ -104,16 +104,16 @@ enum class ComparedBy { kRanges, kPictures };
 /// sensors/sensor_mechanisms.h; all parameters are free.
 ///
 /// Model   Prior standard deviations by unit: 0.3 m, 5 deg, 5 per cent, 1 s. Starting values of the
-///         clock offset reach 3 s in either direction. They also include +-18 s, the difference
-///         between GPS time and UTC.
+///         clock offset reach 3 s in either direction, and include +-18 s, the difference between
+///         GPS time and UTC.
 /// Omits   Errors of single beams or pixels, drift, rolling shutter.
 std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
                                     const std::string& sensor, const Effects& present);
 
-/// Input to the search for effects on one sensor. It corresponds to ReplayBlock
-/// (search/fit/replay_block.h), which is the input for channels on a time grid. Each new
-/// calibration re-associates points with simulated surfaces or edges. Therefore the number of
-/// judged points depends on the terms. Each point has its own noise.
+/// Input to the search for effects on one sensor. ReplayBlock (search/fit/replay_block.h) is the
+/// corresponding input for channels on a time grid. Each new calibration re-associates points with
+/// simulated surfaces or edges. Therefore the number of judged points depends on the terms. Each
+/// point has its own noise.
 ///
 /// Frames  B link, S sensor as documented.
 struct RegistrationBlock {

@@ -34,8 +34,9 @@ struct RegistrationSearch {
   SensorCalibration calibration;  ///< calibration with the confirmed terms
   double scale = 1;               ///< actual noise over modelled noise
   double noise_rmse = 0;          ///< RMS residual after a fit of all candidates
-  /// Each finding has its evidence, and its error on FINAL without and with it. It has no location,
-  /// because it acts at all times. Findings point into the block's candidates.
+  /// Findings have evidence, and errors on FINAL without and with the finding. Findings have no
+  /// location, because a sensor's effects act at all times. Findings point into the block's
+  /// candidates.
   std::vector<Finding> findings, unconfirmed;
   std::vector<ParameterDetectability> detectability;
 };

@@ -150,8 +150,8 @@ std::vector<double> SharesIn(const Shares& shares, const Window& window) {
   return within;
 }
 
-/// The window with the smallest p among the whole recording, its halves, quarters and eighths. Its
-/// p is corrected for this choice (Bonferroni).
+/// The window with the smallest p among the whole recording, its halves, quarters and eighths. The
+/// returned p is corrected for this choice (Bonferroni).
 Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   Window best{0, blocks, 1};
   double windows = 0;

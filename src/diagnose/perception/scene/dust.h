@@ -19,10 +19,10 @@ struct DustCloud : SceneDifference {
 /// Finds dust clouds.
 ///
 /// Frames  W.
-/// Model   An air return lies at least 0.5 m in front of the simulated hit of its ray. It also lies
-///         at least 0.3 m above the simulated ground. Returns at edges of simulated objects are left
-///         out. Voxels of 0.5 m with air returns are linked across gaps of one voxel. A cloud has
-///         at least 40 returns.
+/// Model   An air return lies at least 0.5 m in front of the simulated hit of its ray. An air
+///         return also lies at least 0.3 m above the simulated ground. Returns at edges of
+///         simulated objects are left out. Voxels of 0.5 m with air returns are linked across gaps
+///         of one voxel. A cloud has at least 40 returns.
 ///         A cloud is dust if at most 60 % of the rays that reach it end in it; otherwise it is a
 ///         solid object. In addition, its returns must scatter by at least 0.1 m in every direction
 ///         (median over cubic metres).

@@ -27,8 +27,8 @@ constexpr double kWallShare = 0.35;    ///< share of cells with walls that indic
 constexpr double kSteepestCone = 1.7;  ///< slope of the steepest cone of soil: 60 deg
 constexpr double kWindows = 3;         ///< the recording and its halves
 
-/// The prior is eight blocks that agree within 2 cm. It matters where few blocks see a cell,
-/// because their own scatter is then uncertain.
+/// The prior is eight blocks that agree within 2 cm. The prior matters where few blocks see a cell,
+/// because the scatter of few blocks is uncertain.
 constexpr ModeratedTTest kHeightTest{
     .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
 

@@ -35,7 +35,7 @@ bool IsPlain(char c) {
          c == '/' || c == '-';
 }
 
-/// A name as a key. It has quotes if YAML could read it as another type.
+/// A name as a key, in quotes if YAML could read the name as another type.
 std::string Key(const std::string& name) {
   const bool begins_with_letter =
       !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));

@@ -99,7 +99,7 @@ Json Where(const Cause& cause) {
   return {{"channel", cause.sensor->channel}, {"intervals_s", Json::array()}, {"regime", nullptr}};
 }
 
-/// Score that ranks findings by certainty. It is not calibrated and is no probability.
+/// Score that ranks findings by certainty. The score is not calibrated and is no probability.
 double ScoreOf(const Finding& finding) {
   const auto alike = static_cast<double>(finding.evidence.rivals.size());
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;

@@ -29,8 +29,8 @@ struct RecordingOnPage {
   const Diagnosis* diagnosis = nullptr;
 };
 
-/// Page on several recordings of one machine. It lists shared causes first, then the validation of
-/// each recording's findings on the others, then a table of causes by recordings.
+/// Page on several recordings of one machine. The page lists shared causes first, then the
+/// validation of each recording's findings on the others, then a table of causes by recordings.
 std::string RecordingsPage(const std::string& machine,
                            const std::vector<RecordingOnPage>& recordings,
                            const std::vector<SharedCause>& causes);
@@ -38,10 +38,10 @@ std::string RecordingsPage(const std::string& machine,
 /// File name of the page on several recordings.
 inline constexpr const char* kRecordingsPage = "recordings.html";
 
-/// Writes the reports of several recordings into recording_1, recording_2, ... Their common result
-/// is in recordings.html, recordings.json and effects.yaml. effects.yaml is the overlay of the
-/// shared causes with pooled parameters. With several machines, each machine has its own folder.
-/// The folder appears when it is complete. Returns the page of each machine. Throws InputError.
+/// Writes the reports of several recordings into recording_1, recording_2, ... The common result is
+/// in recordings.html, recordings.json and effects.yaml. effects.yaml is the overlay of the shared
+/// causes with pooled parameters. With several machines, each machine has its own folder. The
+/// folder appears when it is complete. Returns the page of each machine. Throws InputError.
 std::vector<std::filesystem::path> WriteRecordingsReport(
     const std::filesystem::path& out, const std::vector<DiagnosedRecording>& recordings,
     WholeFolder* whole);

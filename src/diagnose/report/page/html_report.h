@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// The report as one page with embedded styles and figures. It needs no network and no scripts, and
-/// suits light screens, dark screens and paper. `recording` is the subtitle.
+/// The report as one page with embedded styles and figures, without network or scripts, for light
+/// screens, dark screens and paper. `recording` is the subtitle.
 ///
 /// Text and figures use degrees. Tables of parameters and sizes use the units of effects.yaml.
 std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording);

@@ -24,7 +24,7 @@ struct PlotAxis {
 /// Axis with a margin of a twentieth of [low, high] on both sides. The range is never empty.
 PlotAxis Widened(double low, double high, std::string label);
 
-/// About `wanted` round values within an axis. Their distance is 1, 2 or 5 times a power of ten.
+/// About `wanted` round values within an axis, at distances of 1, 2 or 5 times a power of ten.
 std::vector<double> TicksOf(const PlotAxis& axis, int wanted);
 
 /// A figure with two axes. Shapes outside the axes are clipped.
@@ -63,7 +63,7 @@ class SvgPlot {
   std::string inside_;
 };
 
-/// A line of at most `most` points through samples. It keeps the minimum and maximum of each bin of
+/// A line of at most `most` points through samples: the minimum and maximum of each bin of
 /// neighbours, in their order. Gaps are points that are not finite. x is in seconds; y is
 /// multiplied by `factor`.
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,

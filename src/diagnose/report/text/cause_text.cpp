@@ -140,7 +140,7 @@ std::string LabelOf(const Candidate& candidate, const Candidate& found) {
   return candidate.target == found.target ? label : label + " of " + TargetText(candidate);
 }
 
-/// Kind of a sensor, if the mechanism implies it. It precedes the sensor's name.
+/// Kind of a sensor, to precede its name; "sensor" if the mechanism does not imply a kind.
 std::string SensorKindOf(const Mechanism& mechanism) {
   if (mechanism.targets == std::vector{EffectTarget::kImu}) return "inertial unit";
   if (mechanism.targets == std::vector{EffectTarget::kGnss}) return "receiver";

@@ -22,8 +22,8 @@ constexpr std::size_t kFewNumbers = 3;
 constexpr double kClearDeviations = 3;
 constexpr std::size_t kMostRivalsNamed = 2;  ///< number of rejected rivals that are named
 
-/// True if a parameter is written without its name. It is the first and only parameter that the
-/// mechanism requires, so the mechanism's name is enough.
+/// True if a parameter is written without its name, because it is the first and only parameter that
+/// the mechanism requires.
 bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
   const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
                                       [](const EffectParameter& p) { return !p.otherwise; });

@@ -22,7 +22,8 @@ namespace tera {
 namespace {
 
 /// Two delays agree if they differ by less than kSameShare of the longer one, or by less than
-/// kSameDeviations standard deviations. They never agree beyond kMostDifference of the longer one.
+/// kSameDeviations standard deviations. Delays that differ by more than kMostDifference of the
+/// longer one never agree.
 constexpr double kSameShare = 0.2, kSameDeviations = 3, kMostDifference = 0.5;
 
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {

@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// "All 4 joints ask for a delay of 0.08 s: ..", or empty. It needs at least two joints whose
-/// encoders were judged. Their delays must agree within a fifth or within their uncertainty. The
-/// cause may then be a late clock of the encoders.
+/// "All 4 joints ask for a delay of 0.08 s: ..", or empty. The sentence needs at least two joints
+/// whose encoders were judged. The delays must agree within a fifth or within their uncertainty.
+/// The cause may then be a late clock of the encoders.
 std::string SentenceOfSharedDelay(const Diagnosis& diagnosis);
 
 /// "Encoders run ahead of the levers that move them, by about 0.1 s: ..", or empty.
