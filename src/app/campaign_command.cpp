@@ -123,7 +123,7 @@ void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
     throw InputError("--on kubernetes",
                      {FaultKind::kMissing,
                       "need --image IMAGE and --volume CLAIM:PATH, a PersistentVolumeClaim and the "
-                      "path at which it holds this folder"});
+                      "path of this folder in it"});
   }
   constexpr int kPodsAtOnce = 32;
   const std::filesystem::path file = plan.folder / "kubernetes.yaml";
@@ -135,7 +135,7 @@ void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
                                             .mounted_at = arguments.volume.substr(colon + 1),
                                             .parallel = arguments.processes.value_or(kPodsAtOnce),
                                             .memory_mb = arguments.memory_mb}));
-  fmt::print("{}: start it by `kubectl create -f`; `tera campaign status` says what is done\n",
+  fmt::print("{}: start it by `kubectl create -f`; `tera campaign status` prints the progress\n",
              file.string());
 }
 

@@ -72,8 +72,8 @@ void PrintClocks(const ImportReport& report) {
   for (const ClockDifference& d : report.clocks) {
     fmt::print(
         "clock of {}: {:.4f} +- {:.4f} s ahead of that of {} at {:.3f} s, and {} {:.1f} +- {:.1f} "
-        "ppm\n  by {} of the one and {} of the other, which correlate by {:.2f}; {} stretches; "
-        "nothing was changed\n",
+        "ppm\n  from {} of the first and {} of the second, with correlation {:.2f}; {} stretches; "
+        "the recording is unchanged\n",
         d.channel, d.ahead_s, d.ahead_bound_s, d.reference, ToSeconds(d.from_ns),
         d.drift < 0 ? "loses" : "gains", 1e6 * std::abs(d.drift), 1e6 * d.drift_bound, d.what,
         d.reference_what, d.correlation, d.stretches);

@@ -30,7 +30,7 @@ void AddReplayCommand(CLI::App* app) {
       "replay", "Simulate a recorded run again from its commands; the result has the same bytes");
   command
       ->add_option("RECORDING", arguments->recording,
-                   "Directory of a simulated dataset; also one that was stopped (.incomplete)")
+                   "Directory of a simulated dataset, also of an interrupted one (.incomplete)")
       ->required();
   AddRunOptions(command, &arguments->options);
   AddMovedOption(command, &arguments->moved);

@@ -80,7 +80,7 @@ void AddViewCommand(CLI::App* app) {
       ->needs(excerpt);
   AddMovedOption(command, &arguments->moved);
   command->add_flag("--stop-with-stdin", arguments->stop_with_stdin,
-                    "End when standard input is closed");
+                    "End when standard input closes");
   command->callback([arguments] {
     if (arguments->excerpt.empty())
       Serve(*arguments);

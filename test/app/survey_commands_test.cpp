@@ -205,7 +205,8 @@ TEST(SurveyWithoutAMap, FarFromItsOriginIsAskedFor) {
   std::vector<Vec3> mm = SmallYard(Vec3::Zero());
   for (Vec3& p : mm) p *= 1000;
   WriteBytes(scratch.path() / "mm.ply", PlyOf(mm));
-  ExpectRefused(scratch, {"site", "mm.ply", "--out", "site"}, HasSubstr("these are millimetres"));
+  ExpectRefused(scratch, {"site", "mm.ply", "--out", "site"},
+                HasSubstr("convert millimetres to metres"));
 }
 
 // The middle is 6 m to the east and 1.2 m above the corner.

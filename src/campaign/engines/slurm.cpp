@@ -124,7 +124,7 @@ Limits AskLimits() {
   const Answer answer = Ask("scontrol show config");
   if (answer.status != 0) {
     FailSlurm("Slurm does not answer `scontrol show config`: " + answer.text +
-              "; run where its commands and controller are, or without --on");
+              "; run on a host with its commands and controller, or without --on");
   }
   Limits limits;
   for (const std::string& line : LinesOf(answer.text)) {

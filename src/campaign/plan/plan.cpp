@@ -242,7 +242,7 @@ Plan MakePlan(const fs::path& file, const fs::path& out) {
   if (fs::exists(copy) && ReadWholeFile(copy) != text) {
     throw InputError(copy.string(), {FaultKind::kInconsistent,
                                      fmt::format("is another campaign than {}, and planning would "
-                                                 "replace it; name another folder by --out",
+                                                 "replace it; name another folder with --out",
                                                  file.string())});
   }
   CheckSampled(plan.campaign);

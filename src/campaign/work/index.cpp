@@ -73,7 +73,7 @@ class Database {
     const int status = sqlite3_errcode(database_.get());
     const std::string why = sqlite3_errmsg(database_.get());
     if (status == SQLITE_NOTADB || status == SQLITE_CORRUPT || status == SQLITE_ERROR) {
-      FailIndex(file_, FaultKind::kMalformed, "is no index of a campaign: " + why);
+      FailIndex(file_, FaultKind::kMalformed, "is not an index of a campaign: " + why);
     }
     throw InputError(file_.string(), {FaultKind::kUnwritable,
                                       fmt::format("cannot be brought up to date: {}; free space "

@@ -74,7 +74,7 @@ void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
     throw InputError(
         out.string(),
         {FaultKind::kUnwritable,
-         fmt::format("lies inside the recording {}; choose a place beside it", dataset.string())});
+         fmt::format("is inside the recording {}; choose a place outside it", dataset.string())});
   }
 }
 
@@ -95,7 +95,7 @@ void RequirePlainPaths(const Recording& recording) {
           {plain ? FaultKind::kRepeated : FaultKind::kMalformed,
            fmt::format(
                "the channel '{}' {}; need unique paths within the recording", channel.path,
-               plain ? "is there twice" : "is no path of a folder or file below the recording")});
+               plain ? "occurs twice" : "is not a path of a folder or file below the recording")});
     }
   }
 }

@@ -81,7 +81,7 @@ BlockFileReader::BlockFileReader(const std::filesystem::path& path)
   left_ = std::filesystem::file_size(path, error);
   if (error) FailReading(path, error.value());
   if (left_ < kMagic.size() || Read(kMagic.size()) != kMagic) {
-    Fail("is no file of compressed blocks of version 1, or is damaged");
+    Fail("is not a file of compressed blocks of version 1, or is damaged");
   }
   header_ = Read(ReadNumber());
 }

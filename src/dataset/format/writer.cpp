@@ -167,7 +167,7 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   if (name.empty() || name == "." || name == "..") {
     throw InputError(
         "", {FaultKind::kUnwritable,
-             fmt::format("'{}': names no folder of its own; give the recording's folder a name",
+             fmt::format("'{}': does not name a new folder; give the recording's folder a name",
                          final_directory.string())});
   }
   RequireNothingAt(final_directory);

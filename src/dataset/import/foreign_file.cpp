@@ -66,9 +66,9 @@ constexpr const char* kBag =
     "--suggest for one";
 
 constexpr Magic kMagics[] = {
-    {0, "version https://git-lfs.github.com/spec/",
-     "a pointer of Git LFS, which stands for the file", "fetch the file itself: git lfs pull"},
-    {0, "/annex/objects/", "a pointer of git-annex, which stands for the file",
+    {0, "version https://git-lfs.github.com/spec/", "a pointer of Git LFS instead of the file",
+     "fetch the file itself: git lfs pull"},
+    {0, "/annex/objects/", "a pointer of git-annex instead of the file",
      "fetch the file itself: git annex get {0}"},
     {0, "\xd4\xc3\xb2\xa1", "a pcap capture of a network", kPacketRemedy},
     {0, "\xa1\xb2\xc3\xd4", "a pcap capture of a network", kPacketRemedy},
@@ -78,7 +78,7 @@ constexpr Magic kMagics[] = {
     {0, ";$FILEVERSION=", "a TRC log of a CAN bus by PEAK", kDecodeCan},
     {0, "***BUSMASTER Ver", "a log of a CAN bus by BUSMASTER", kDecodeCan},
     {0, "MDF     ", "an MDF measurement of ASAM (MF4, DAT)", kMdf},
-    {0, "UnFinMF ", "an MDF measurement of ASAM that was not finished", kMdf},
+    {0, "UnFinMF ", "an unfinished MDF measurement of ASAM", kMdf},
     {0, "TDSm", "a TDMS measurement of NI",
      "write it as CSV first: python3 -c \"from nptdms import TdmsFile; "
      "TdmsFile('{0}').as_dataframe(time_index=True).to_csv('{1}.csv')\""},

@@ -45,7 +45,7 @@ Mat3 ReadAxes(const ConfigMap& config) {
 ColumnMapping ReadFix(const ConfigMap& config) {
   const ColumnMapping fix = ReadColumnMapping(config, Dimension::kNone);
   if (config.Has("constant") && !FixOfQuality(fix.offset)) {
-    config.Fault("constant", fmt::format("{} is no fix; {}", fix.offset, kNeedFix));
+    config.Fault("constant", fmt::format("{} is not a fix; {}", fix.offset, kNeedFix));
   }
   return fix;
 }
@@ -93,13 +93,13 @@ void RequireNear(const GnssSample& sample, const std::string& where) {
   constexpr double kFarthest_m = 100e3;
   if (sample.enu_m.norm() <= kFarthest_m) return;
   throw InputError(
-      where, {FaultKind::kOutOfRange,
-              fmt::format("is {:.0f} km from the mapping's origin, need at most {:.0f} km; an "
-                          "origin of this row is {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: "
-                          "{:.3f}}}; if the row is wrong, leave it out by valid_if or "
-                          "--skip-bad-rows",
-                          sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg,
-                          sample.lon_deg, sample.alt_m)});
+      where,
+      {FaultKind::kOutOfRange,
+       fmt::format("is {:.0f} km from the mapping's origin, need at most {:.0f} km; this row would "
+                   "give the origin {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}; if the "
+                   "row is wrong, exclude it with valid_if or --skip-bad-rows",
+                   sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg, sample.lon_deg,
+                   sample.alt_m)});
 }
 
 /// Receivers without a fix write latitude 0, longitude 0, where no machine works.

@@ -26,12 +26,11 @@ MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inpu
   MovedFiles moved{text.substr(0, equals), text.substr(equals + 1)};
   if (std::none_of(inputs.begin(), inputs.end(),
                    [&](const RecordedInput& input) { return Concerns(moved, input.name); })) {
-    throw InputError(
-        "--moved " + text,
-        {FaultKind::kNoSuchName,
-         fmt::format("no input of the recording is '{}' or below it; need a name that its "
-                     "dataset.yaml lists, or a folder that such a name begins with",
-                     moved.from)});
+    throw InputError("--moved " + text,
+                     {FaultKind::kNoSuchName,
+                      fmt::format("no input of the recording is '{}' or below it; need a name that "
+                                  "dataset.yaml lists, or the folder of such a name",
+                                  moved.from)});
   }
   return moved;
 }

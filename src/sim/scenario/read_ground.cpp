@@ -51,8 +51,8 @@ void CheckTools(const ConfigMap& config, const MachineModel& model) {
     if (shovel.link != 0) continue;
     config.Fault("ground", "shovel '" + shovel.name + "' is on the root link '" +
                                model.links[0].name +
-                               "', where ground: kinematic cannot tell its force from the tracks'; "
-                               "give it a link of its own with a joint of type fixed");
+                               "', where ground: kinematic cannot separate its force from that of "
+                               "the tracks; give it its own link with a joint of type fixed");
   }
 }
 

@@ -54,7 +54,7 @@ SemanticClass LabelAt(const ConfigMap& config) {
   std::vector<std::string> names;
   for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
   config.Fault("label", {FaultKind::kNoSuchName,
-                         "'" + label + "' is no semantic class" + DidYouMean(label, names)});
+                         "'" + label + "' is not a semantic class" + DidYouMean(label, names)});
   return SemanticClass::kStructure;
 }
 

@@ -43,8 +43,8 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
     throw InputError(
         file.string(),
         {FaultKind::kOutOfRange,
-         fmt::format("{:.0f} x {:.0f} m found, a site has at most {} m to a side; cut it out, e.g. "
-                     "with pdal or gdalwarp -te, or bring it to metres where these are millimetres",
+         fmt::format("{:.0f} x {:.0f} m found, a site has at most {} m a side; cut it out, e.g. "
+                     "with pdal or gdalwarp -te, or convert millimetres to metres",
                      size_m.x(), size_m.y(), kLargestSite_m)});
   }
   constexpr double kSmallestSite_m = 1;

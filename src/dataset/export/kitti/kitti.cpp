@@ -189,10 +189,9 @@ class KittiExport {
     if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
       return picture;
     }
-    throw InputError(
-        file.string(),
-        fmt::format("is of {} x {} pixels; need {} x {}, as sensor.yaml says", picture.width_px,
-                    picture.height_px, rig_.lens.width_px, rig_.lens.height_px));
+    throw InputError(file.string(), fmt::format("has {} x {} pixels; need {} x {} of sensor.yaml",
+                                                picture.width_px, picture.height_px,
+                                                rig_.lens.width_px, rig_.lens.height_px));
   }
 
   void WritePictureAndPoints(const KittiFrame& frame) const {

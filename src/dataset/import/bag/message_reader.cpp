@@ -100,7 +100,7 @@ void RequireElement(const MessageSchema& schema, const MessageType& type, std::s
   if (has_elements != step.has_brackets) {
     throw BadBytes{fmt::format("'{}' of {} has {}", field.name, type.name,
                                has_elements ? "elements, need one of them in brackets: an index "
-                                              "from 0, or a name where the message has names"
+                                              "from 0, or a name if the message has names"
                                             : "no elements, need it without brackets")};
   }
   if (!has_elements) return;
@@ -212,7 +212,7 @@ class MessageReader::Walk {
  private:
   std::string_view TakeCdrHead(std::string_view message) {
     constexpr std::size_t kHeadBytes = 4;
-    if (message.size() < kHeadBytes) throw BadBytes{"it lacks the four bytes that CDR begins with"};
+    if (message.size() < kHeadBytes) throw BadBytes{"it lacks the four bytes at the start of CDR"};
     if (message[0] != 0 || (message[1] != 0 && message[1] != 1)) {
       throw BadBytes{fmt::format(
           "it begins with the bytes {} and {}, need plain CDR (0 and 0 or 1)",
@@ -279,8 +279,7 @@ class MessageReader::Walk {
         if (frames_ != nullptr && field.name == kParentFrame) frames_->first = text;
         if (frames_ != nullptr && field.name == kChildFrame) frames_->second = text;
       } else {
-        throw BadBytes{
-            fmt::format("'{}' is a wstring, which writers lay out in different ways", field.name)};
+        throw BadBytes{fmt::format("'{}' is a wstring, which has no common layout", field.name)};
       }
     }
   }

@@ -38,7 +38,7 @@ class SqliteBagReader {
   bool Read() {
     for (const char* table : {"topics", "messages"}) {
       if (!HasTable(table)) {
-        throw InputError(fmt::format("{}: has no table '{}', so it is no bag of rosbag2",
+        throw InputError(fmt::format("{}: has no table '{}', so it is not a bag of rosbag2",
                                      file_.string(), table));
       }
     }

@@ -92,14 +92,14 @@ class UlogReader {
         if (body.size() < 2) throw BadBytes{"has a message of data without a topic"};
         ++messages_;
         const auto known = topic_of_.find(UlogNumberAt<std::uint16_t>(body, 0));
-        if (known == topic_of_.end()) throw BadBytes{"has data of a topic that was not offered"};
+        if (known == topic_of_.end()) throw BadBytes{"has data of an undeclared topic"};
         *topic = known->second;
         *payload = body.substr(2);
         return true;
       }
       default:
         // Texts, parameters and marks are skipped. A message type is always a letter.
-        if (type < 'A' || type > 'Z') throw BadBytes{"has bytes that are no message"};
+        if (type < 'A' || type > 'Z') throw BadBytes{"has bytes that are not a message"};
         return false;
     }
   }

@@ -187,7 +187,8 @@ class CameraKeys {
   void ReadBagTopic() {
     const auto files = FilesOrList(channel_.Has("file") ? channel_ : top_, "file", kBagMetadata);
     if (files.size() != 1) {
-      if (files.size() > 1) channel_.Fault("file", "names several files; pictures are read of one");
+      if (files.size() > 1)
+        channel_.Fault("file", "names several files; need one file of pictures");
       return;
     }
     plan_->file = files.front();

@@ -182,9 +182,10 @@ CameraLens ReadCameraInfo(const std::filesystem::path& bag, const BagTopic& topi
   ReadBag(bag, unpacked, &first, /*to_the_damage=*/true);
   const std::string place = MessagePlace(bag, topic, 1);
   if (!first.bytes()) {
-    throw InputError(place, {FaultKind::kMissing,
-                             "the topic has no message; write the camera's 'lens', or say "
-                             "'uncalibrated: true'"});
+    throw InputError(
+        place,
+        {FaultKind::kMissing,
+         "the topic has no message; write the camera's 'lens', or set 'uncalibrated: true'"});
   }
   try {
     return LensOf(ReadFields(topic.message_encoding, *first.bytes()), place, is_rectified);

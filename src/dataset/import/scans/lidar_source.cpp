@@ -102,7 +102,7 @@ class LidarKeys {
     if (channel_.Has("files")) return ReadFolder();
     const auto files = FilesOrList(channel_.Has("file") ? channel_ : top_, "file", kBagMetadata);
     if (files.size() != 1) {
-      if (files.size() > 1) channel_.Fault("file", "names several files; scans are read of one");
+      if (files.size() > 1) channel_.Fault("file", "names several files; need one file of scans");
       return {};
     }
     source_.file = files.front();

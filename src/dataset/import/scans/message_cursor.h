@@ -22,7 +22,7 @@ class MessageCursor {
     constexpr std::size_t kHeadBytes = 4;
     if (!is_cdr_) return;
     if (message.size() < kHeadBytes || message[0] != 0 || message[1] != 1) {
-      throw BadBytes{"it does not begin as little-endian CDR does"};
+      throw BadBytes{"it does not begin with the header of little-endian CDR"};
     }
     bytes_.remove_prefix(kHeadBytes);
   }

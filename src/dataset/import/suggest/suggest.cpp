@@ -20,7 +20,7 @@ void RefusePoints(const std::filesystem::path& log) {
   throw InputError(
       log.string(),
       {FaultKind::kUnsupported,
-       fmt::format("is a point cloud in text by its name; need a log. 'tera site' takes it as LAS: "
+       fmt::format("is a point cloud in text by its name; need a log. 'tera site' reads it as LAS: "
                    "pdal translate -r readers.text --readers.text.header=\"X Y Z\" "
                    "--readers.text.separator=\" \" {} {}.las; a table of a log needs another name",
                    log.string(), bare.string())});

@@ -123,9 +123,8 @@ std::string NmeaYaml(const fs::path& log, const RowTable& table, const NmeaConte
   std::string yaml = Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n";
   if (!contents.has_dates) yaml += "# no sentence has a date: times count from 1970-01-01\n";
   if (!contents.rivals.empty()) {
-    yaml += fmt::format(
-        "# talker: {}   # {} say of the same times where they are: name the one to read\n",
-        contents.rivals.front(), fmt::join(contents.rivals, ", "));
+    yaml += fmt::format("# talker: {}   # {} give positions at the same times: choose one\n",
+                        contents.rivals.front(), fmt::join(contents.rivals, ", "));
   }
   yaml += *origin + "gnss:\n  - name: gnss\n" + RulesOfNmea(table, height).Yaml();
   std::string columns;

@@ -353,14 +353,13 @@ class TableGuess {
       yaml += "# no numbers: " + PlainNameOf(column.name) + "\n";
     }
     for (const NumbersOfColumn* column : with_words_) {
-      yaml += fmt::format("# '{}' has words for numbers in {} rows, which valid_if leaves out\n",
-                          column->name, column->words);
+      yaml +=
+          fmt::format("# '{}' has words instead of numbers in {} rows, which valid_if excludes\n",
+                      column->name, column->words);
     }
     if (left_out_.count > 0) {
-      yaml += fmt::format(
-          "# {} rows cannot be read, the first: {}; --skip-bad-rows leaves them "
-          "out\n",
-          left_out_.count, left_out_.first);
+      yaml += fmt::format("# {} rows cannot be read, the first: {}; --skip-bad-rows skips them\n",
+                          left_out_.count, left_out_.first);
     }
     return yaml;
   }

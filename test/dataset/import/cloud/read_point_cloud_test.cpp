@@ -235,7 +235,7 @@ TEST(PointCloudFile, WhatIsNoPointCloudIsRefusedWithWhatIsNeeded) {
   EXPECT_THAT(FaultOf("text.las", "easting,northing\n1,2\n"),
               HasSubstr("does not begin with 'LASF' as a LAS file"));
   EXPECT_THAT(FaultOf("pointer.las", "version https://git-lfs.github.com/spec/v1\noid sha256:4d"),
-              HasSubstr("is a pointer of Git LFS, which stands for the file; need a point cloud as "
+              HasSubstr("is a pointer of Git LFS instead of the file; need a point cloud as "
                         ".pcd, .ply or .las; fetch the file itself: git lfs pull"));
   EXPECT_THAT(FaultOf("packed.laz", "LASF"), HasSubstr("LAZ is compressed; write it as LAS"));
   EXPECT_THAT(FaultOf("points.xyz", "1 2 3\n"),

@@ -255,7 +255,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
     return FaultOf(keys);
   };
   const std::string time = Bytes(std::uint64_t{1});
-  EXPECT_THAT(fault(Ulog().Data(7, time)), HasSubstr("a topic that was not offered"));
+  EXPECT_THAT(fault(Ulog().Data(7, time)), HasSubstr("data of an undeclared topic"));
   EXPECT_THAT(fault(Ulog().Offer(1, "t").Data(1, time)), HasSubstr("no definition of t"));
   EXPECT_THAT(fault(Ulog().Format("t:t a;").Offer(1, "t").Data(1, time)),
               HasSubstr("a format that holds itself"));
@@ -270,7 +270,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
   const std::string long_name(60000, 'a');
   EXPECT_THAT(
       fault(Ulog().Format("t:uint8_t[65535] " + long_name + ";").Offer(1, "t").Data(1, time)),
-      HasSubstr("a field with a name that nobody could write"));
+      HasSubstr("a field with an invalid name"));
   EXPECT_THAT(fault(Ulog().Format("t:float[0] a;").Offer(1, "t").Data(1, time)),
               HasSubstr("an array without a length"));
   EXPECT_THAT(fault(Ulog().Format("t:float a;").Offer(1, "t").Data(1, time)),
@@ -278,7 +278,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
   EXPECT_THAT(fault(Ulog().Format("no colon")), HasSubstr("a format without a name"));
   EXPECT_THAT(fault(Ulog().Message('D', "x")), HasSubstr("without a topic"));
   EXPECT_THAT(fault(Ulog().Raw(Bytes(std::uint16_t{1}) + "\xff\xff")),
-              HasSubstr("bytes that are no message"));
+              HasSubstr("bytes that are not a message"));
   Ulog sound;
   sound.Format("t:uint64_t timestamp;float a;").Offer(1, "t");
   EXPECT_THAT(fault(Ulog(sound).Data(1, time + "ab")), HasSubstr("is shorter than its fields"));

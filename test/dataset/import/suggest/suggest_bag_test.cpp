@@ -265,7 +265,7 @@ TEST_F(SuggestBag, OrientationsThatNobodyFilledAreNoTurn) {
   Write(bag);
   const auto poses = Suggested().LoadPose("truth/machine/pose.csv").poses;
   EXPECT_TRUE(poses[1].X_WB.isApprox(Pose(Eigen::Translation3d(1, 2, 3)), 1e-12));
-  EXPECT_THAT(yaml_, HasSubstr("nobody has filled the orientation"));
+  EXPECT_THAT(yaml_, HasSubstr("the orientation is empty"));
 }
 
 // --- Transforms

@@ -132,7 +132,7 @@ TEST_F(Trajectory, OfKittiIsRowsOfRotationAndPlaceAndNeedsTimes) {
     Imported(head + "pose: {form: kitti, time: {interval: 0.1, unit: s}}\n");
     FAIL();
   } catch (const InputError& fault) {
-    EXPECT_THAT(fault.what(), HasSubstr("00.txt:1: its numbers are no rotation with a place"));
+    EXPECT_THAT(fault.what(), HasSubstr("00.txt:1: its numbers are not a rotation and a position"));
   }
 }
 

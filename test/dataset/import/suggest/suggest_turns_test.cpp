@@ -80,7 +80,7 @@ TEST_F(SuggestedTable, AClockThatWasSetBackPartsAFile) {
 TEST_F(SuggestedTable, OneRowThatGoesBackIsNoNewStart) {
   Suggest(Boom("time_s", [](int k) { return fmt::format("{:.2f}", k == 50 ? 0.01 : 0.02 * k); }));
   EXPECT_THAT(yaml_, Not(HasSubstr("last_line")));
-  EXPECT_THAT(yaml_, HasSubstr("# line 52 is earlier than the row before"));
+  EXPECT_THAT(yaml_, HasSubstr("# line 52 is earlier than the previous row"));
 }
 
 }  // namespace
