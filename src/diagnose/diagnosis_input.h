@@ -12,7 +12,8 @@
 
 namespace tera {
 
-/// Machine, levers and sensors of a diagnosis.
+/// Machine, levers and sensors of a diagnosis. A lever is the input of a joint, track or wheel set,
+/// -1 to 1.
 struct DiagnosisInput {
   const MachineModel* model = nullptr;
   std::string machine;                      ///< name in the recording
@@ -45,7 +46,7 @@ struct OffsetReceiver {
   std::string target;       ///< the receiver's name: "gnss_left"
   std::size_t sensor = 0;   ///< index among the scenario's sensors
   double documented_s = 0;  ///< clock offset in the scenario; positive: clock ahead
-  double tolerance_s = 0;   ///< tolerance of the offset, or the deviation that was found otherwise
+  double tolerance_s = 0;  ///< smaller shifts are within tolerance, or found by the motion estimate
   double shift_s = 0, sigma_s = 0;  ///< additional offset; positive: clock ahead
   double p = 1;                     ///< p-value of such a steady gain over all other offsets
   /// RMS of the receiver's displacement per second minus that of running gear and joints: with the

@@ -16,7 +16,8 @@ namespace tera {
 ///         shifted by up to 0.5 s. The best shift explains most of the rate's energy. The best
 ///         shift is a lead if it exceeds 0.04 s and explains at least half of the energy. A lead
 ///         must also at least halve the residual of the unshifted prediction. The result is the
-///         mean over encoders. At least two must have a lead, and all must agree within a quarter.
+///         mean over encoders. At least two encoders need an estimate, and all estimates must be
+///         leads that agree within a quarter.
 /// Omits   Clocks that drift; a lead of single joints.
 std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 

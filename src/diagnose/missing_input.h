@@ -26,7 +26,7 @@ struct MissingInput {
 ///         limit, because shaking has no mean.
 ///         Input is missing if motion at rest takes at least two seconds and a fifth of the moving
 ///         time. Creep and coasting are slower or shorter. For a lever that only moves to one side,
-///         motion to the other side counts instead. Motion at rest does not count if the simulation
+///         all motion to the other side counts too. Motion at rest does not count if the simulation
 ///         moves in the same direction at that time. An example is a slew that turning tracks drag
 ///         along.
 ///

@@ -23,7 +23,7 @@ std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measu
                                         double interval_s, std::string* why_not);
 
 /// Discrepancy of the base's replay from its simulation. `simulated` are the simulation's encoders.
-/// Empty if the two have no common time.
+/// Empty if recording and simulation have no common time.
 std::optional<ReplayDiscrepancy> RecordedBaseDiscrepancy(
     const DiagnosisInput& input, const Measurements& measured,
     const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course, double interval_s);

@@ -27,9 +27,9 @@ struct AmbiguitySet {
 
 /// Ambiguity sets that a diagnosis leaves for a block. The class of each finding with rivals is a
 /// set; its pairs are every member against every other, and against no effect. Each undetectable
-/// mechanism is a set; its pair is a start of middle size, added to all findings, against the
-/// findings alone. Members of a class are fitted to TRAIN and SELECT. The terms point to the
-/// block's candidates.
+/// mechanism is a set. Its pair compares all findings plus the mechanism, at a middle starting
+/// value, with the findings alone. Members of a class are fitted to TRAIN and SELECT. The terms
+/// point to the block's candidates.
 std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
                                           const BlockDiagnosis& diagnosis);
 

@@ -23,7 +23,8 @@ struct MeasuredRate {
 };
 
 /// Levers and measured motion of a machine's axes at even steps: the input to a replay of the
-/// actuation chain. Axes are the joints, then the running gears, in the model's order.
+/// actuation chain. A lever is the input of a joint, track or wheel set, -1 to 1. Axes are the
+/// joints, then the running gears, in the model's order.
 ///
 /// Model   A command holds until the next one; before the first, levers are neutral. Levers are
 ///         means over each step. Positions and rates are linear between samples. Loads and inertias

@@ -20,7 +20,8 @@ struct Grip {
 };
 
 /// Replays the base's motion on the ground. Inputs are the measured rates of the running gear and
-/// the measured attitude. Output is the motion with other effects of the ground slot.
+/// the measured attitude. Output is the motion with other effects of the slot `ground`, such as
+/// slip (docs/reference/mechanisms.md).
 ///
 /// Frames  B root link; twists as in BaseLog.
 /// Model   MoveOnTracks gives a twist in every step. Displacements are summed between the

@@ -13,11 +13,11 @@ namespace tera {
 /// Measured effort of a joint's drive and the measured motion.
 ///
 /// Model   A Gaussian with -3 dB at `band_hz` smooths the position. Rate and acceleration are
-///         convolutions with its derivatives, so no raw signal is differentiated or delayed. The
-///         same Gaussian smooths the measured effort and a replay's friction. `inertial` and
-///         `weight` are the efforts of all links beyond the joint, for the measured motion of all
-///         joints on a level, standing machine. Joints without an encoder keep their initial
-///         position.
+///         convolutions with the Gaussian's derivatives, so no raw signal is differentiated or
+///         delayed. The same Gaussian smooths the measured effort and a replay's friction.
+///         `inertial` and `weight` are the efforts of all links beyond the joint, for the measured
+///         motion of all joints on a level, standing machine. Joints without an encoder keep their
+///         initial position.
 /// Omits   Soil on tools, ground contact, a moving base.
 struct EffortLog {
   std::string channel;  ///< "emps1/efforts/carriage_n"

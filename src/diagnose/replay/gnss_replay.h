@@ -37,8 +37,9 @@ GnssLog MakeGnssLog(const MachineModel& model, const std::vector<SensorDescripti
 /// Predicts the positions that receivers measure along a measured motion.
 ///
 /// Model   The antenna is at its true mount (TrueAntenna for a pair), with its documented bias. The
-///         position is taken at the time at which the receiver's clock shows the stamp. The slots
-///         of a receiver follow: `multipath` of the boom, datums, filter, steps.
+///         position is taken at the time at which the receiver's clock shows the stamp. The
+///         receiver's error mechanisms follow in the simulator's order: `multipath` of the boom,
+///         datums, filter, steps.
 /// Omits   Noise, and the random effects `float_jump`, `outliers` and jitter of `latency`.
 class GnssReplay {
  public:

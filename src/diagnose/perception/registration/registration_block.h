@@ -18,7 +18,8 @@
 
 namespace tera {
 
-/// Assigns scans or pictures to the parts TRAIN, SELECT and FINAL, by blocks of time.
+/// Assigns scans or pictures to the parts TRAIN, SELECT and FINAL (docs/guide/glossary.md), by
+/// blocks of time.
 ///
 /// Model   A block lasts one second, or a fortieth of the recording if that is longer. Ten
 ///         consecutive blocks form a round: four for TRAIN, three for SELECT and three for FINAL,
@@ -52,8 +53,8 @@ using CalibrationMatrix = Eigen::Matrix<double, kCalibrationElements, kCalibrati
 using CalibrationJacobian = Eigen::Matrix<double, kCalibrationElements, Eigen::Dynamic>;
 
 /// Derivatives of the calibration with respect to the free parameters of `terms`, by central
-/// differences. A term replaces the effect of its mechanism in `present`. `X_BS` is the documented
-/// mount.
+/// differences. A term is a candidate mechanism with values (search/fit/replay_block.h). A term
+/// replaces the effect of its mechanism in `present`. `X_BS` is the documented mount.
 CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const Structure& terms);
 
 /// Residual of one measured point against the simulation under a calibration. Unit: metres for

@@ -45,13 +45,14 @@ struct RegistrationSearch {
 /// the finding minus the mean square noise. Returns 0 without excess.
 double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 
-/// Selects the candidates that act on the block's sensor. Fits start at the values of `start`, then
-/// at the scenario's.
+/// Selects the candidate mechanisms that act on the block's sensor. Fits start at the values of
+/// `start`, then at the scenario's.
 ///
 /// Model   The noise is estimated from the residual after a fit of all candidates to TRAIN.
-///         Selection is forward, starting from no candidate. Each step adds the candidate with the
-///         greatest gain in likelihood on SELECT, after a fit to TRAIN (registration_fit.h). If a
-///         set with fewer parameters is not significantly worse, it is preferred.
+///         Selection is forward, starting from no candidate. Nothing is selected unless all
+///         candidates together are better than none. Each step adds the candidate with the greatest
+///         gain in likelihood on SELECT, after a fit to TRAIN (registration_fit.h). If a set with
+///         fewer parameters is not significantly worse, it is preferred.
 ///         A step is accepted if the gain is steady over blocks of time (steady_gain.h) and the
 ///         error falls by at least 2 %. The level is SearchOptions::alpha, Bonferroni-corrected
 ///         over the candidates. Terms that the other terms make superfluous are then removed. A

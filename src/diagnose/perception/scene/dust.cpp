@@ -21,7 +21,7 @@ constexpr double kStep_m = 0.5 * kVoxel_m;      ///< step along a ray through vo
 constexpr int kCloudReach = 2;                  ///< distance in voxels at which voxels are linked
 constexpr std::size_t kFewestReturns = 40;      ///< minimum per cloud
 constexpr std::size_t kFewestOfCubicMetre = 6;  ///< needed to compute a scatter
-constexpr std::size_t kMostParts = 8;           ///< into which the recording is divided
+constexpr std::size_t kMostParts = 8;           ///< largest number of parts of a recording
 constexpr double kMostStopped = 0.6;  ///< share of rays: a cloud that stops more is a solid object
 constexpr double kLeastThickness_m = 0.1;  ///< thinner is a surface
 /// Tests if more than one ray in 200 ends in a cloud. The prior is eight blocks that agree within a

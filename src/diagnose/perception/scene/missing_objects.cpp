@@ -27,7 +27,7 @@ struct Tally {
   std::size_t rays = 0;
 };
 
-/// p-value that more than half of the rays pass through.
+/// p-value of the test that more than half of the rays pass through the object.
 double ShareP(const std::map<std::size_t, RayCount>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);

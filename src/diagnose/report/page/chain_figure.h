@@ -29,10 +29,11 @@ struct ChainStage {
 
 /// The stages lever, valve, pump, joint, ground and sensor, with their findings.
 ///
-/// Model   A cause belongs to the stage of its mechanism's slot. A rival is a possible cause at the
-///         stage of its own slot. An unexplained error belongs to the stage where it was measured,
-///         because its origin is unknown. A stage counts as compared if a judged block has
-///         candidates there, or if sensors there were compared with each other.
+/// Model   A slot is a place of mechanisms in the chain (core/types/effects.h). A cause belongs to
+///         the stage of its mechanism's slot. A rival is a possible cause at the stage of its own
+///         slot. An unexplained error belongs to the stage where it was measured, because its
+///         origin is unknown. A stage counts as compared if a judged block has candidates there, or
+///         if sensors there were compared with each other.
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis);
 
 /// The chain as a row of boxes with a legend. Narrow screens show several rows.

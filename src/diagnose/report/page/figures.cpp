@@ -111,7 +111,7 @@ struct Curve {
   }
 };
 
-/// A plot for a curve over a variable of a block. Its y range includes zero.
+/// A plot for a curve over a variable of a block. The y range includes zero.
 SvgPlot PlotOf(const Curve& curve, const std::string& variable, const ReplayBlock& block,
                const std::string& y_label) {
   return {"as a function of " + variable,
