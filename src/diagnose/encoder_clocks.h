@@ -28,7 +28,7 @@ std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 /// Model   Sensors alone cannot distinguish late encoders from other sensors that are all early.
 ///         The levers decide: the rates that the scenario predicts are compared with the measured
 ///         rates for both clocks. The likelihood allows a factor and white noise of any size, and
-///         adds up over all axes. Stamps stay if the shift does not make it larger.
+///         is summed over all axes. Stamps stay unless the shift makes the likelihood larger.
 /// Omits   Delays of drives, which make the later stamps likelier.
 bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                        const BlockOptions& options, Measurements* measured);

@@ -13,8 +13,8 @@ namespace tera {
 /// load. `measured` is an index into log.measured.
 ///
 /// Model   The grid has the median period of the samples. Each sample is assigned to the nearest
-///         grid point, and its prediction is for the sample's own time. Samples at end stops are
-///         gaps. So are rates that repeat for over a second without a lever. If most samples repeat
+///         grid point, and its prediction is for the sample's own time. Gaps are samples at end
+///         stops, and rates that repeat for over a second without a lever. If most samples repeat
 ///         the previous one exactly, only changed samples count.
 ///         The flexible regressor has the lever, its signed square, its excess over dead bands, and
 ///         its sign. All are repeated at up to twelve lags of at most 0.8 s. The flexible regressor

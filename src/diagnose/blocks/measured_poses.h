@@ -9,7 +9,7 @@
 namespace tera {
 
 /// Poses of a real recording are measurements, for example from scan registration. Delayed poses
-/// make other measurements appear early. The axes of their map follow the machine's initial
+/// make other measurements appear early. The axes of the poses' map follow the machine's initial
 /// attitude, which need not be level. Gravity then appears tilted.
 ///
 /// Frames  M map of the poses; L level frame, z up. M and L have the same origin. The axes of M and

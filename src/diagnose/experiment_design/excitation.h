@@ -38,8 +38,8 @@ struct AxisRange {
 /// slow ramps through neutral, stairs, sweeps over the range, and waves. Further steps run while
 /// one of `others` is away from its middle, which changes the load.
 ///
-/// Model   Rates are proportional to the lever. A move takes at most 0.45 of the range from its
-///         middle. Steps last 0.25 to 1.5 s. Excitations that need a wider range are left out.
+/// Model   Rates are proportional to the lever. A move from the middle covers at most 0.45 of the
+///         range. Steps last 0.25 to 1.5 s. Excitations that need a wider range are left out.
 std::vector<Excitation> ExcitationsFor(const AxisRange& own, const std::vector<AxisRange>& others);
 
 /// The excitation with all moves of the lever of `axis` reversed.

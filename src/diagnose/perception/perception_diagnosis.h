@@ -27,7 +27,7 @@ struct PerceptionFinding {
 
 /// Causes of the differences between one sensor's data and their simulation on the recorded
 /// trajectory. The sensor is a lidar, a depth camera or a colour camera. Findings point into this
-/// object's candidates, so it can be moved but not copied.
+/// object's candidates, so the object can be moved but not copied.
 struct PerceptionDiagnosis {
   PerceptionDiagnosis() = default;
   PerceptionDiagnosis(PerceptionDiagnosis&&) = default;

@@ -65,7 +65,7 @@ struct SharedCause {
 ///         differences are not reported. Causes in the scene of lidars and cameras are left out,
 ///         because they belong to a place and not to a machine.
 ///
-/// All diagnoses belong to one machine. There is at least one, and they must outlive the result.
+/// `diagnoses` belong to one machine, are not empty and must outlive the result.
 std::vector<SharedCause> SharedCausesOf(const std::vector<const Diagnosis*>& diagnoses);
 
 }  // namespace tera

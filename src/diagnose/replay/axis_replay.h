@@ -12,8 +12,8 @@ namespace tera {
 
 /// Replays the actuation chain of every axis, without the rest of the machine. Inputs are the
 /// recorded levers and the measured positions and loads. Outputs are the rates that joints and
-/// running gears with other effects would have had. Measured positions keep errors where they
-/// arise, so they do not accumulate.
+/// running gears with other effects would have had. The replay uses measured positions, so errors
+/// stay where they arise and do not accumulate.
 ///
 /// Model   Actuation runs over the steps of the log. A joint follows the rate that its drive
 ///         demands. Full effort minus load, over the inertia of the links beyond the joint, limits

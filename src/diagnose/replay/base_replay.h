@@ -25,10 +25,10 @@ struct Grip {
 ///
 /// Frames  B root link; twists as in BaseLog.
 /// Model   MoveOnTracks gives a twist in every step. Displacements are summed between the
-///         measurement times of an interval's two poses. Divided by the time between their stamps,
-///         they give the mean twist. With a grip, friction under each side limits the acceleration
-///         of mass and inertia, forward and in yaw. The machine then starts with its first measured
-///         motion.
+///         measurement times of an interval's two poses. The sum, divided by the time between the
+///         poses' stamps, is the mean twist. With a grip, friction under each side limits the
+///         acceleration of mass and inertia, forward and in yaw. The machine then starts with its
+///         first measured motion.
 /// Omits   Lateral inertia, gravity along a slope, limits of the motors, friction against turning,
 ///         ground forces on tools.
 class BaseReplay {

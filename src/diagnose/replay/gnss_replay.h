@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Measured positions of one receiver, and the motion of the links that they depend on.
+/// Measured positions of one receiver, and the motion of the links on which the positions depend.
 ///
 /// Frames  W world frame of the poses and the site; B link of the boom; S the antenna.
 /// Model   Only positions with the documented fix or a better one, and with stamps within the

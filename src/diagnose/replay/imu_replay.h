@@ -27,9 +27,9 @@ struct ImuLog {
 /// poses.
 ///
 /// Model   Accelerations come from poses half an interval apart. With pose noise sigma along each
-///         axis, their noise is sqrt(6) sigma / (T/2)^2. T is the shortest interval at which this
-///         is at most 0.05 m/s^2. Sigma is the robust scale of the third differences of positions,
-///         over sqrt(20).
+///         axis, the noise of accelerations is sqrt(6) sigma / (T/2)^2. T is the shortest interval
+///         at which this noise is at most 0.05 m/s^2. Sigma is the robust scale of the third
+///         differences of positions, over sqrt(20).
 /// Omits   Pose noise that is slower than a few pose periods.
 double ImuInterval_s(const std::vector<TruthPose>& poses);
 

@@ -82,8 +82,7 @@ struct ScanPoints {
 double LogDensityAt(double distance_over_sigma);
 
 /// Log-likelihood of a residual relative to a distance of 0. The noise is `scale` times the
-/// residual's sigma. The loss is bounded by 13 (LogDensityAt at 30); unjudged points get this
-/// bound.
+/// residual's sigma. The loss is at most 13.6 (LogDensityAt at 30); unjudged points get this loss.
 double LogLikelihoodOf(const PointResidual& residual, double scale);
 double LogLikelihoodOf(const std::vector<PointResidual>& residuals, double scale);
 

@@ -46,7 +46,7 @@ struct RegistrationSearch {
 double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 
 /// Selects the candidate mechanisms that act on the block's sensor. Fits start at the values of
-/// `start`, then at the scenario's.
+/// `start`, or else at the scenario's values.
 ///
 /// Model   The noise is estimated from the residual after a fit of all candidates to TRAIN.
 ///         Selection is forward, starting from no candidate. Nothing is selected unless all

@@ -24,14 +24,14 @@ struct DustCloud : SceneDifference {
 ///         simulated objects are left out. Voxels of 0.5 m with air returns are linked across gaps
 ///         of one voxel. A cloud has at least 40 returns.
 ///         A cloud is dust if at most 60 % of the rays that reach it end in it; otherwise it is a
-///         solid object. In addition, its returns must scatter by at least 0.1 m in every direction
-///         (median over cubic metres).
+///         solid object. In addition, the returns of dust must scatter by at least 0.1 m in every
+///         direction (median over cubic metres).
 ///         The test asks if more than one ray in 200 ends in the cloud, by Student's t over blocks
-///         of time. A prior of eight blocks with a scatter of a tenth moderates the variance. On
-///         TRAIN and SELECT, the windows are the whole recording, its halves, quarters and eighths.
-///         The level there is five per cent over the clouds. On FINAL, the level is one per cent.
-///         FINAL is limited to the time between the first and last block in which TRAIN and SELECT
-///         show the cloud.
+///         of time. A prior of eight blocks with a scatter of a tenth moderates the variance. TRAIN
+///         and SELECT are tested over the whole recording, its halves, quarters and eighths. The
+///         level on TRAIN and SELECT is five per cent over the clouds, on FINAL one per cent. FINAL
+///         is limited to the time between the first and last block in which TRAIN and SELECT show
+///         the cloud.
 /// Omits   Rays that the dust absorbs, because scans contain no points for them. A tree or fence
 ///         missing in the scenario counts as dust, because it also stops some rays at many depths.
 /// Source  Phillips et al. 2017, "When the dust settles: the four behaviors of lidar in the

@@ -26,8 +26,8 @@ struct Misfit {
 ///         and d are normal about 0 with the channel's standard deviations. The factors n of its
 ///         nominal columns N are standard normal. All are bounded at two standard deviations,
 ///         because a larger error must be found as a mechanism. They are fitted to the samples of a
-///         mask by iteratively reweighted least squares on whitened columns. Samples that follow a
-///         gap more closely than the memory of the noise model are ignored.
+///         mask by iteratively reweighted least squares on whitened columns. After a gap, as many
+///         samples are ignored as the noise model remembers.
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
