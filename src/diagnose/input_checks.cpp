@@ -20,8 +20,8 @@ namespace {
 constexpr double kDegrees = 1 / kDeg;
 constexpr double kMostUnitRatio = 1.3;     ///< a factor matches a unit factor up to this ratio
 constexpr double kLeastCorrelation = 0.7;  ///< least correlation of proportional columns
-constexpr double kLeastLeverRange = 0.2;   ///< least range of a lever that moves
-constexpr double kLeastRange_rad = 0.05;   ///< least range of a position that moves
+constexpr double kLeastLeverRange = 0.2;
+constexpr double kLeastRange_rad = 0.05;  ///< least range of a position that moves
 constexpr double kLeastWay_m = 2;  ///< least distance between start and end of a base that drives
 constexpr double kBeyondLimit_rad = 0.2;  ///< tolerated excess of a position over a joint's limits
 /// Distance in time of the two positions that are compared with a rate.

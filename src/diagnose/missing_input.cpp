@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kNeutral = 0.02;  ///< a lever below it rests: the expected dead band
+constexpr double kNeutral = 0.02;  ///< a lever below this rests: the expected dead band
 /// Longest effect of a lever on the rate after its return to neutral.
 constexpr double kLongestEffect_s = 2;
 constexpr double kMovingShare = 0.2;   ///< limit of a moving rate, over the axis's larger rates

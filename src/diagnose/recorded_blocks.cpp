@@ -79,7 +79,6 @@ Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size
   return all;
 }
 
-/// Name of the lever of a joint or running gear, if it has one.
 std::optional<std::string> LeverOf(const MachineModel& model, std::size_t axis) {
   const auto joints = static_cast<int>(model.joints.size());
   for (const Lever& lever : model.levers) {

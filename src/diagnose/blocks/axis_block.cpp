@@ -185,7 +185,6 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
   return columns;
 }
 
-/// `variables` are those of VariablesOf.
 Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;

@@ -26,7 +26,7 @@ struct Excitation {
 struct AxisRange {
   std::size_t axis = 0;
   std::string name;
-  double full_rate_radps = 0;                  ///< rate at full lever
+  double full_rate_radps = 0;
   std::optional<double> lower_rad, upper_rad;  ///< empty for endless rotation
 
   double Travel_rad() const;

@@ -24,7 +24,7 @@ constexpr double kLeastTravel_s = 0.8;  ///< least travel of the range, in time 
 constexpr double kFromStop_rad = 0.05;  ///< distance to a joint's own limits
 constexpr double kReturnLever = 0.4;    ///< for returns to the middle of a range
 constexpr double kReturnRest_s = 0.8;
-constexpr double kShortestReturn_s = 0.05;  ///< shorter returns are not driven
+constexpr double kShortestReturn_s = 0.05;
 constexpr double kFirstRest_s = 1;
 /// Weight of a pair in a class. A pair of an undetectable mechanism has the weight 1.
 constexpr double kClassWeight = 3;

@@ -21,7 +21,6 @@ struct PredictedRun {
   double length_s = 0;
 };
 
-/// Time steps of a prediction.
 struct PredictionSteps {
   double step_s = 0.01;    ///< time step of the replay
   double period_s = 0.01;  ///< sample period of the encoders

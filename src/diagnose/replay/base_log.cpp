@@ -178,7 +178,6 @@ void AddInstants(const MachineModel& model, const JointPositions& joints,
   }
 }
 
-/// Interval from pose `a` to pose `b`.
 BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std::size_t b,
                         const std::optional<PoseTimes>& arrivals, const Vec3& contact_B_m,
                         const BaseLog& log) {

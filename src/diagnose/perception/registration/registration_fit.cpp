@@ -54,7 +54,6 @@ NormalEquations EquationsOf(const std::vector<PointResidual>& residuals, double 
   return equations;
 }
 
-/// Diagonal information matrix of the priors.
 Eigen::MatrixXd PriorInformation(const std::vector<TermParameter>& parameters) {
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t p = 0; p < parameters.size(); ++p) {

@@ -15,7 +15,6 @@ namespace tera {
 std::vector<bool> OnOcclusionEdges(const RangeSource& source, const SensorCalibration& calibration,
                                    std::size_t scan, const std::vector<std::size_t>& points);
 
-/// Index of a cell of the site.
 using CellIndex = std::pair<int, int>;
 
 /// The cell with side `cell_m` that contains a position. The lower corner of cell (i, j) is at

@@ -16,7 +16,6 @@ using Json = OrderedJson;
 /// Raised when a key changes its name or meaning. Files without this key have format 1.
 constexpr int kFormat = 2;
 
-/// One entry per element of a list.
 template <typename List, typename ToJson>
 Json ListOf(const List& list, ToJson to_json) {
   Json json = Json::array();

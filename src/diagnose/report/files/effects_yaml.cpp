@@ -54,7 +54,6 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// Free parameter with an index, or nullptr.
 const FreeParameter* FreeParameterOf(const Candidate& candidate, std::size_t index) {
   const auto at = std::find_if(candidate.free.begin(), candidate.free.end(),
                                [&](const FreeParameter& free) { return free.index == index; });

@@ -105,7 +105,6 @@ double ScoreOf(const Finding& finding) {
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
 }
 
-/// Mechanisms of a class.
 Json ClassJson(const Finding& finding) {
   Json ids = Json::array();
   for (const Candidate* rival : finding.evidence.rivals) ids.push_back(rival->mechanism->id);

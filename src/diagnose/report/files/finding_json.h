@@ -8,7 +8,6 @@
 
 namespace tera {
 
-/// JSON that keeps the order of its keys.
 using OrderedJson = nlohmann::ordered_json;
 
 /// Six significant digits; null for missing values or values that are not finite.
@@ -18,7 +17,6 @@ OrderedJson JsonNumber(const std::optional<double>& value);
 /// Errors before and after, and the removed share of the excess variance.
 OrderedJson HeldOutJson(double before, double after, const std::string& unit, double removed);
 
-/// Parameters of a finding, by name.
 OrderedJson ParametersJson(const Finding& finding);
 
 /// A finding: location, mechanism, parameters, rivals, evidence and held-out errors.

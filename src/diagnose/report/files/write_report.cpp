@@ -101,7 +101,6 @@ std::string GroundCsv(const GroundMap& map) {
   return csv;
 }
 
-/// Writes the series of each judged channel.
 void WriteSeries(const std::filesystem::path& directory, const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (!HasSeries(diagnosed)) continue;

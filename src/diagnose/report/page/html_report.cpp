@@ -214,7 +214,6 @@ std::string Folded(const std::string& title, const std::string& html) {
   return fmt::format("<details class='part'><summary>{}</summary>\n{}</details>\n", title, html);
 }
 
-/// Figures of one location under a heading.
 std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
                             const std::string& error, const Location& location) {
   const std::string& channel = diagnosed.block.channels[location.channel].name;

@@ -114,7 +114,6 @@ std::string TimesText(const PerceptionFinding& found) {
   return ", " + IntervalsText(longest.first, longest.second, found.intervals_s.size() - 1);
 }
 
-/// Value of a measure of the scene.
 double ValueOf(const PerceptionFinding& found, std::string_view name) {
   return Effect{found.finding.term.candidate->mechanism, found.finding.term.values}[name];
 }
