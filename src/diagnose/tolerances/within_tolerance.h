@@ -36,9 +36,9 @@ bool IsExplainedAsExpected(const Finding& finding);
 ///         acts at all.
 bool IsBeyondTolerance(const Finding& finding);
 
-/// True if a finding is not of practical size, or a hypothesis within tolerance explains the data
-/// as well. Otherwise true if the finding is not beyond tolerance and its undetermined parameters
-/// lie within theirs.
+/// True in each of three cases. The finding is not of practical size. A hypothesis within tolerance
+/// explains the data as well. The finding is not beyond tolerance, and its undetermined parameters
+/// lie within their tolerances.
 bool IsWithinTolerance(const Finding& finding);
 
 /// Moves findings within tolerance to their list, and undecided findings to the unconfirmed ones.
