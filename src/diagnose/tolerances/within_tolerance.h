@@ -15,8 +15,9 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
                      double lever_interval_s = 0);
 
 /// True if a finding reduces its channel's error on FINAL by at least the error that a rate factor
-/// at the end of its tolerance causes (Finding::tolerated). If `as_expected` is set, the reduction
-/// counts from that error where it is smaller, minus 1.645 standard deviations by noise.
+/// at the end of its tolerance causes (Finding::tolerated). If `as_expected` is set and has a
+/// smaller error than the model without the finding, the reduction is measured from that error,
+/// minus 1.645 standard deviations due to noise.
 bool IsOfPracticalSize(const Finding& finding);
 
 /// True if a hypothesis within tolerance explains the data as well as the finding. Two conditions

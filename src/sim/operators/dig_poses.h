@@ -6,7 +6,7 @@
 
 namespace tera::dig {
 
-// Height above the ground before lowering, in bucket lengths.
+// Height of the tip above the ground before it is lowered, in bucket lengths.
 inline constexpr double kClearance = 0.58;
 // distance by which the carried load is nearer to the slew axis than the dump place
 inline constexpr double kCarryInside_m = 1.6;
