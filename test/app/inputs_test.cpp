@@ -239,9 +239,9 @@ TEST_F(Inputs, AMeshThatIsNowFoundElsewhereIsNotReplayed) {
   // Searched from the URDF's folder upwards.
   fs::create_directories(site() / "robot/urdf/robot/meshes");
   WriteWholeFile(site() / "robot/urdf/robot/meshes/upper.obj", Edited(kObj, "0.8", "0.9"));
-  ExpectRefused({"replay", "whole", "--out", "again"},
-                HasSubstr("scenario.yaml: now reads " +
-                          (site() / "robot/urdf/robot/meshes/upper.obj").string()));
+  ExpectRefused(
+      {"replay", "whole", "--out", "again"},
+      HasSubstr("scenario.yaml: reads " + (site() / "robot/urdf/robot/meshes/upper.obj").string()));
 }
 
 TEST_F(Inputs, ThatTeraShipsAreFoundOnAnotherMachine) {

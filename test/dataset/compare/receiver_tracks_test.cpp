@@ -128,7 +128,7 @@ TEST_F(ReceiverTracksTest, AnAntennaThatSitsElsewhereIsMovedByTheHeading) {
   other.antennas = {{"left", Vec3(-0.4, 0.6, 1.5)}, {"right", Vec3(-0.4, -0.6, 1.5)}};
   const MachineComparison moved = Compared({}, other);
   EXPECT_NEAR(moved.tracks.at(0).unaligned.ape_translation_m.max, 0, 1e-6);
-  EXPECT_THAT(moved.remarks, Contains(HasSubstr("left sits 0.583 m elsewhere")));
+  EXPECT_THAT(moved.remarks, Contains(HasSubstr("the mounts of left differ by 0.583 m")));
   // Without a second antenna no heading is available for the move; a remark says so.
   other.antennas.pop_back();
   Made one;
@@ -171,7 +171,7 @@ TEST_F(ReceiverTracksTest, AHeadingIsThatOfAntennasOnItsLinkAlone) {
   ASSERT_EQ(c.tracks.size(), 3u);
   EXPECT_EQ(c.tracks[0].of, "bucket");
   EXPECT_EQ(c.tracks[0].rotation, TrackComparison::Rotation::kNone);
-  EXPECT_THAT(c.remarks, Contains(HasSubstr("bucket sits 1.000 m elsewhere")));
+  EXPECT_THAT(c.remarks, Contains(HasSubstr("the mounts of bucket differ by 1.000 m")));
   EXPECT_THAT(c.remarks, Contains(HasSubstr("the heading of its link is unknown")));
   for (std::size_t k : {1, 2}) {
     EXPECT_THAT(c.tracks[k].of, HasSubstr("heading from left to right"));

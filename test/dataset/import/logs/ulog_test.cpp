@@ -239,7 +239,7 @@ TEST_F(UlogTest, AppendedDataIsRead) {
 TEST_F(UlogTest, WhatIsNoLogOrOfALaterVersionIsRefused) {
   const std::string keys = Table("sensor_combined", "gyro_rad[0]");
   Log("");
-  EXPECT_THAT(FaultOf(keys), HasSubstr("log.ulg: is no ULog"));
+  EXPECT_THAT(FaultOf(keys), HasSubstr("log.ulg: is not a ULog"));
   Log("\x55\x4c\x6f\x67");
   EXPECT_THAT(FaultOf(keys), HasSubstr("is not a ULog"));
   Log(Ulog(2).bytes());

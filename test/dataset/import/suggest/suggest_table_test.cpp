@@ -155,7 +155,8 @@ TEST_F(SuggestedTable, MillisecondsOfAFastLoggerAreNoSeconds) {
   std::string log = "t,boom\n";
   for (int k = 0; k < 200; ++k)
     log += fmt::format("{:.1f},20\n", k < 100 ? 0.5 * k : 8e4 + 0.5 * k);
-  EXPECT_THAT(Suggest(log), HasSubstr("{column: t, unit: unknown}   # to fill in: nothing tells"));
+  EXPECT_THAT(Suggest(log),
+              HasSubstr("{column: t, unit: unknown}   # to fill in: its unit is unknown"));
 }
 
 TEST_F(SuggestedTable, SecondsOfGpsTimeAreNotThoseSince1970) {
