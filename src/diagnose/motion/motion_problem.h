@@ -53,7 +53,7 @@ struct ReceiverChannel {
 
 /// An encoder of one joint: reads scale q + bias.
 struct AxisChannel {
-  int number = kBaseNumbers;  ///< coordinate of the motion that it reads
+  int number = kBaseNumbers;  ///< coordinate of the motion that the encoder reads
   int bias = kNoParameter, scale = kNoParameter, late = kNoParameter;
   int noise = 0;
 };
@@ -100,7 +100,7 @@ struct NoiseChannel {
   double least = 0;      ///< lower limit of sigma, from the data sheet
   double at_first = 1;   ///< sigma of the first, unweighted iterations
   double sigma = 1;      ///< scale of Student's t
-  double inflation = 1;  ///< variance of a mean over that of independent errors
+  double inflation = 1;  ///< variance of a mean / variance for independent errors
   double motion = 0;     ///< standard deviation of the measured signal
   double tolerance = 0;  ///< tolerated constant error
 };

@@ -12,7 +12,7 @@ namespace tera {
 struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
-  double share = 1;  ///< samples in it over samples of a window without lost rows
+  double share = 1;  ///< number of samples / number in a window without lost rows
   /// 1 sigma of the part of the motion that a spline with one knot per window cannot represent:
   /// turn rates, then specific forces.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();

@@ -23,7 +23,7 @@ struct PlanarFix {
 /// The lag of fixes behind a path.
 struct PathLag {
   double lag_s = 0, sigma_s = 0;
-  double share = 0;  ///< motion of the fixes over that of the path
+  double share = 0;  ///< motion of the fixes / motion of the path
   double p = 1;      ///< p-value of the gain over all other lags
   /// RMS of the difference between steps of the fixes and of the path, without and with the lag,
   /// where both are known.

@@ -45,7 +45,7 @@ class LowObstacles {
  private:
   struct Placed {
     RigidObstacle obstacle;
-    double reach_m;  ///< radius about its origin that contains it and its slopes
+    double reach_m;  ///< radius about the origin that contains the obstacle and its slopes
     BodyState state;
   };
   std::optional<Top> HighestAt(double x_m, double y_m, double climb_m) const;

@@ -12,12 +12,12 @@ namespace tera {
 /// An interval in which a rate keeps the value that was predicted for its beginning.
 struct Hold {
   Segment samples;
-  double gain = 0;  ///< gain in log-likelihood, of the held over the predicted rate
+  double gain = 0;  ///< gain in log-likelihood of the held rate over the predicted rate
 };
 
 struct HoldNoise {
   double scale = 0;
-  double inflation = 1;  ///< variance of a mean over that of independent errors
+  double inflation = 1;  ///< variance of a mean / variance for independent errors
 };
 
 /// Intervals in which a measured rate stays constant while the prediction changes. A drive that

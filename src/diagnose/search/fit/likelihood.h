@@ -16,7 +16,7 @@ struct Misfit {
   std::vector<Eigen::VectorXd> innovation;
   /// By channel: offset, gain - 1, delay (s) and nominal numbers, in standard deviations.
   std::vector<Eigen::VectorXd> nuisances;
-  std::vector<Series> residual;  ///< measured minus predicted, nuisances included in the prediction
+  std::vector<Series> residual;  ///< measured minus predicted, with fitted nuisance parameters
 };
 
 /// Likelihood of a block's measurements for given predictions of its channels.
@@ -72,8 +72,8 @@ class Likelihood {
     WhiteningFilter filter;
     std::vector<Segment> runs;
     std::vector<std::size_t> samples;
-    Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
-    Eigen::MatrixXd nominal;           ///< whitened, over the noise's scale
+    Eigen::VectorXd measured, offset;  ///< whitened, divided by the noise's scale
+    Eigen::MatrixXd nominal;           ///< whitened, divided by the noise's scale
   };
   /// The fitted nuisance parameters of one channel, and the innovations of the fitted samples.
   struct ChannelFit {

@@ -12,7 +12,7 @@ namespace tera {
 struct ParameterEstimate {
   std::string name, unit;
   double value = 0;
-  std::optional<double> sigma;  ///< none if it was held or the data do not determine it
+  std::optional<double> sigma;  ///< empty if held, or if the data do not determine it
   /// Standard deviation of the effect: the parameter's distance from its neutral value (1 for a
   /// factor). The form of a mechanism errs in proportion to this effect. Empty if `sigma` is empty.
   std::optional<double> effect_sigma = {};

@@ -13,7 +13,7 @@ struct FittedStructure {
   Structure terms;
   /// Log-likelihood of the fitted samples, with the penalty of the nuisance parameters.
   double log_likelihood = 0;
-  Misfit misfit;  ///< nuisances fitted to the same samples
+  Misfit misfit;  ///< nuisance parameters fitted to the same samples
   /// Information of the free parameters, in the order of terms and their `free`.
   Eigen::MatrixXd information;
   Eigen::MatrixXd scores;  ///< rows as in `information`; one column per fitted manoeuvre

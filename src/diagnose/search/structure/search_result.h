@@ -53,7 +53,7 @@ struct TermEvidence {
   /// Gain of the term on SELECT, divided by the gain of the flexible regressor. Both gains are
   /// relative to the structure without the term.
   double share_of_rest = 0;
-  double effect = 0;  ///< RMS change by the term over the channel's RMS; the largest over channels
+  double effect = 0;  ///< RMS change by the term / RMS of the channel; the largest of all channels
   /// The term's own candidate, then the candidates that explain the data about as well if they
   /// replace the term.
   std::vector<const Candidate*> rivals;
