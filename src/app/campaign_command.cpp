@@ -91,7 +91,7 @@ void RequireOwnOptions(const RunArguments& arguments, Engine engine) {
     std::vector<std::string> names;
     for (const Engine other : own.engines) names.push_back(EngineName(other));
     faults.emplace_back(FaultKind::kInconsistent,
-                        fmt::format("is an option of {}, not of {}; leave it out",
+                        fmt::format("is an option of {}, not of {}; remove it",
                                     fmt::join(names, ", "), EngineName(engine)),
                         own.option->get_name());
   }
@@ -123,7 +123,7 @@ void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
     throw InputError("--on kubernetes",
                      {FaultKind::kMissing,
                       "need --image IMAGE and --volume CLAIM:PATH, a PersistentVolumeClaim and the "
-                      "path at which it holds this folder"});
+                      "path of this folder in it"});
   }
   constexpr int kPodsAtOnce = 32;
   const std::filesystem::path file = plan.folder / "kubernetes.yaml";
@@ -135,7 +135,7 @@ void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
                                             .mounted_at = arguments.volume.substr(colon + 1),
                                             .parallel = arguments.processes.value_or(kPodsAtOnce),
                                             .memory_mb = arguments.memory_mb}));
-  fmt::print("{}: start it by `kubectl create -f`; `tera campaign status` says what is done\n",
+  fmt::print("{}: start it by `kubectl create -f`; `tera campaign status` prints the progress\n",
              file.string());
 }
 
@@ -144,8 +144,7 @@ void RunRun(const RunArguments& arguments) {
   const Plan plan = LoadPlan(arguments.folder);
   if (arguments.index) {
     if (!RunEpisode(plan, *arguments.index, {arguments.threads, arguments.egl})) {
-      fmt::print(stderr, "episode {} is left to another worker, which is making it\n",
-                 *arguments.index);
+      fmt::print(stderr, "episode {}: another worker is making it\n", *arguments.index);
     }
     return;
   }
@@ -154,7 +153,8 @@ void RunRun(const RunArguments& arguments) {
       return RunSlurm(plan, arguments);
     case Engine::kSsh:
       if (arguments.hosts.empty()) {
-        throw InputError("--on ssh", {FaultKind::kMissing, "need --hosts FILE, a host a line"});
+        throw InputError("--on ssh",
+                         {FaultKind::kMissing, "need --hosts FILE with one host a line"});
       }
       return PrintState(plan, RunOverSsh(plan, {.worker = WorkerOf(arguments),
                                                 .hosts = arguments.hosts,
@@ -186,7 +186,7 @@ void AddEngineOptions(CLI::App* command, RunArguments* arguments) {
           {{"slurm", Engine::kSlurm}, {"ssh", Engine::kSsh}, {"kubernetes", Engine::kKubernetes}}));
   of({Engine::kPool, Engine::kSsh, Engine::kKubernetes},
      command->add_option("--processes", arguments->processes,
-                         "Most episodes at once; as many as there are cores"))
+                         "Most episodes at once; number of cores"))
       ->check(WholeNumberBetween(1, 4096));
   of({Engine::kSlurm, Engine::kKubernetes},
      command->add_option("--memory-mb", arguments->memory_mb,
@@ -198,12 +198,11 @@ void AddEngineOptions(CLI::App* command, RunArguments* arguments) {
   of({Engine::kSlurm},
      command->add_option("--minutes", slurm->minutes, "slurm: time limit of a task"))
       ->check(WholeNumberBetween(1, kMost));
-  of({Engine::kSlurm},
-     command->add_option("--tries", slurm->tries,
-                         "slurm: times in a row that arrays may end without an episode (3)"))
+  of({Engine::kSlurm}, command->add_option("--tries", slurm->tries,
+                                           "slurm: most arrays in a row without an episode (3)"))
       ->check(WholeNumberBetween(1, 100));
   of({Engine::kSlurm},
-     command->add_option("--poll", slurm->poll_s, "slurm: seconds between questions (30)"))
+     command->add_option("--poll", slurm->poll_s, "slurm: seconds between status queries (30)"))
       ->check(PositiveNumber("seconds"));
   of({Engine::kSlurm},
      command->add_option("--sbatch", slurm->arguments,
@@ -241,7 +240,7 @@ void AddRunVerb(CLI::App* app) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app->add_subcommand("run", "Make the episodes that are missing");
   AddFolder(command, &arguments->folder);
-  command->add_option("--index", arguments->index, "Make this episode alone, in this process")
+  command->add_option("--index", arguments->index, "Make only this episode, in this process")
       ->check(WholeNumberFrom0());
   command->add_option("--threads", arguments->threads, "Threads of each episode (1)")
       ->check(WholeNumberBetween(1, 256));
@@ -253,8 +252,8 @@ void AddRunVerb(CLI::App* app) {
 
 void AddStatusVerb(CLI::App* app) {
   auto folder = std::make_shared<std::filesystem::path>();
-  CLI::App* command =
-      app->add_subcommand("status", "What is done; status 1 unless all is, brings the index up");
+  CLI::App* command = app->add_subcommand(
+      "status", "Print the progress and update the index; status 1 unless all is done");
   AddFolder(command, folder.get());
   command->callback([folder] {
     const Plan plan = LoadPlan(*folder);
@@ -268,13 +267,13 @@ void AddRetryVerb(CLI::App* app) {
     bool all = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app->add_subcommand("retry", "Let `run` try failed episodes again");
+  CLI::App* command = app->add_subcommand("retry", "Allow `run` to retry failed episodes");
   AddFolder(command, &arguments->folder);
   command->add_flag("--all", arguments->all,
-                    "Also those that failed by bad input, refusals or a bug");
+                    "Also episodes that failed by bad input, refusals or a bug");
   command->callback([arguments] {
     const int cleared = ClearFailures(LoadPlan(arguments->folder), arguments->all);
-    fmt::print("{} episodes are tried again by `tera campaign run`\n", cleared);
+    fmt::print("{} episodes: `tera campaign run` retries them\n", cleared);
   });
 }
 
@@ -291,7 +290,7 @@ void AddMergeVerb(CLI::App* app) {
       ->required();
   command
       ->add_option("--sample", arguments->options.every_frame,
-                   "Lint opens one of so many frames of each camera and lidar (10)")
+                   "Lint checks one of so many frames of each camera and lidar (10)")
       ->check(WholeNumberBetween(1, kMostSpread));
   command->callback([arguments] {
     MergeOptions& options = arguments->options;
@@ -325,7 +324,7 @@ void AddReportVerb(CLI::App* app) {
 }  // namespace
 
 void AddCampaignCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("campaign", "Many varied episodes of one scenario");
+  CLI::App* command = app->add_subcommand("campaign", "Run many varied episodes of one scenario");
   command->require_subcommand(1);
   AddPlanVerb(command);
   AddRunVerb(command);

@@ -28,7 +28,7 @@ void AddCompareCommand(CLI::App* app) {
   command->add_option("--plot", arguments->plot, "PNG to write; none without it");
   command
       ->add_option("--sample", arguments->every,
-                   "Compare one of so many pairs of scans and pictures (1: all)")
+                   "Compare only one of so many pairs of scans and pictures (1: all)")
       ->check(WholeNumberBetween(1, kMostSpread));
   command->add_option("--json", arguments->json, "File to write the numbers to");
   command->add_option("--worst", arguments->frames,

@@ -22,7 +22,7 @@ void RequireOthers(const DiagnoseArguments& arguments) {
       if (!std::filesystem::equivalent(further, searched, none)) continue;
       throw InputError("--held-out " + further.string(),
                        {FaultKind::kRepeated,
-                        "is the recording that is searched; need one that nothing is fitted to"});
+                        "is the searched recording; need a recording without fitted parameters"});
     }
   }
 }

@@ -104,35 +104,34 @@ void RunExport(const ExportArguments& arguments) {
   fmt::print("{}: {}{} records in {} files, {:.1f} MB\n", arguments.out, messages, report.records,
              report.files, 1e-6 * static_cast<double>(report.bytes));
   if (report.absent.count == 0) return;
-  fmt::print("  {} pictures are not there and have no message, the first: {}\n",
-             report.absent.count, report.absent.first.string());
+  fmt::print("  {} pictures are missing and have no message, the first: {}\n", report.absent.count,
+             report.absent.first.string());
 }
 
 void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
-  command->add_option("--storage", options->storage, "Of rosbag2: mcap (the default) or sqlite3")
+  command->add_option("--storage", options->storage, "rosbag2: mcap (the default) or sqlite3")
       ->transform(OneOf(kStorages));
   command
       ->add_option("--compression", options->compression,
-                   "Of MCAP's chunks: zstd (the default), lz4 or none")
+                   "MCAP: compression of chunks, zstd (the default), lz4 or none")
       ->transform(OneOf(kCompressions));
   command
       ->add_option("--images", options->images,
-                   "Of bags: raw pixels (the default) or the PNG files as they are, compressed")
+                   "bags: raw pixels (the default) or the compressed PNG files")
       ->transform(OneOf(kImages));
-  AddMovedOption(command, &arguments->moved,
-                 "Of bags, clouds, nuscenes and formats of one lidar: ");
+  AddMovedOption(command, &arguments->moved, "bags, clouds, nuscenes and formats of one lidar: ");
 }
 
 /// Adds options for formats with one camera and one lidar.
 void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
-  command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
+  command->add_option("--camera", options->camera, "kitti: MACHINE/CAMERA; the first");
   command->add_option("--lidar", options->lidar,
                       "Of kitti and semantickitti: MACHINE/LIDAR, the first; of pcap: one alone");
   command
       ->add_option("--layout", options->kitti_layouts,
-                   "Of kitti: raw, object, tracking, odometry and depth, or some of them; all")
+                   "kitti: raw, object, tracking, odometry and depth, or some of them; all")
       ->delimiter(',')
       ->transform(OneOf(KittiLayoutsByName()));
 }
@@ -140,10 +139,10 @@ void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
 void AddWebdatasetOptions(CLI::App* command, ExportArguments* arguments) {
   command
       ->add_option("--shard-mb", arguments->shard_mb,
-                   "Of webdataset: about how large an archive is, in MB; 256")
+                   "webdataset: approximate size of an archive in MB; 256")
       ->check(CLI::Range(1, kMostShardMb));
   command->add_option("--card", arguments->options.card,
-                      "Of webdataset: YAML file with description, license, url, date_published and "
+                      "webdataset: YAML file with description, license, url, date_published and "
                       "person or organization, for README.md and croissant.json");
 }
 
@@ -151,7 +150,7 @@ void AddNuscenesOptions(CLI::App* command, ExportArguments* arguments) {
   constexpr double kMostKeyFrames_hz = 1000;
   command
       ->add_option("--key-frames-hz", arguments->options.key_frames_hz,
-                   "Of nuscenes: how often everything in view is annotated; 2")
+                   "nuscenes: rate of annotated key frames in Hz; 2")
       ->check(CLI::Range(1e-3, kMostKeyFrames_hz));
 }
 
@@ -161,7 +160,7 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
     if (command.count(option) == 0 || is_used) return;
     throw InputError(option,
                      {FaultKind::kUnknown,
-                      fmt::format("does nothing here, it is of {}; leave it out or use that", of)});
+                      fmt::format("has no effect here, only with {}; remove it, or use that", of)});
   };
   const bool bag = IsBag(options.format);
   const bool ros2 = options.format == ExportFormat::kRosbag2;
@@ -196,9 +195,9 @@ void AddExportCommand(CLI::App* app) {
                    "Date and time of the recording's time 0, 2026-05-01T12:00:00Z; without it "
                    "times begin at 0, or in formats that need a date on 2024-01-01")
       ->check(IsUtcTime());
-  command->add_flag("--resume", arguments->options.resume,
-                    "Go on with an export that was stopped, where the format is of many files; "
-                    "begin it again where it is not");
+  command->add_flag(
+      "--resume", arguments->options.resume,
+      "Resume an interrupted export if the format has many files; otherwise start it again");
   arguments->options.threads =
       static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself));
   command->add_option("--threads", arguments->options.threads, "Frames at a time")

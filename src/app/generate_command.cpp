@@ -27,7 +27,7 @@ struct GenerateArguments {
 void RequireInputsOfStopped(const std::filesystem::path& out) {
   const std::filesystem::path stopped = IncompleteOf(out);
   RequireInputs(LoadInputs(stopped), {},
-                fmt::format("put that file back, or delete {} to start afresh", stopped.string()));
+                fmt::format("restore that file, or delete {} to start afresh", stopped.string()));
 }
 
 void RunGenerate(const GenerateArguments& arguments) {
@@ -46,8 +46,8 @@ void AddGenerateCommand(CLI::App* app) {
   AddScenarioOptions(command, &arguments->scenario);
   AddRunOptions(command, &arguments->run);
   command->add_flag("--keep-state", arguments->run.keep_state,
-                    "Keep how the scene evolved, so that `tera resense` and `tera layout` can "
-                    "measure it with other sensors");
+                    "Keep the evolution of the scene, which `tera resense` and `tera layout` "
+                    "measure with other sensors");
   command->add_option("--duration", arguments->duration_s, "Seconds, instead of the scenario's")
       ->check(PositiveNumber("seconds"));
   command->callback([arguments] { RunGenerate(*arguments); });

@@ -45,11 +45,11 @@ void PrintNotes(const ImportedChannel& channel) {
         channel.irregular, ToSeconds(channel.longest_gap_ns));
   }
   if (channel.clamped_levers > 0) {
-    fmt::print("  {} lever values a hair beyond full, taken as full\n", channel.clamped_levers);
+    fmt::print("  {} lever values slightly beyond full, taken as full\n", channel.clamped_levers);
   }
   if (channel.levers_beyond_full > 0) {
     fmt::print(
-        "  {} lever values beyond full, up to {:.4g}: are they in per cent, or not levers?\n",
+        "  {} lever values beyond full, up to {:.4g}: are they in per cent, or not lever values?\n",
         channel.levers_beyond_full, channel.largest_lever);
   }
   if (channel.strokes_beyond > 0) {
@@ -72,8 +72,8 @@ void PrintClocks(const ImportReport& report) {
   for (const ClockDifference& d : report.clocks) {
     fmt::print(
         "clock of {}: {:.4f} +- {:.4f} s ahead of that of {} at {:.3f} s, and {} {:.1f} +- {:.1f} "
-        "ppm\n  by {} of the one and {} of the other, which correlate by {:.2f}; {} stretches; "
-        "nothing was changed\n",
+        "ppm\n  from {} of the first and {} of the second, with correlation {:.2f}; {} stretches; "
+        "the recording is unchanged\n",
         d.channel, d.ahead_s, d.ahead_bound_s, d.reference, ToSeconds(d.from_ns),
         d.drift < 0 ? "loses" : "gains", 1e6 * std::abs(d.drift), 1e6 * d.drift_bound, d.what,
         d.reference_what, d.correlation, d.stretches);
@@ -114,16 +114,16 @@ void AddImportCommand(CLI::App* app) {
   CLI::Option* out =
       command->add_option("--out", arguments->out, "Directory of the recording; new or empty");
   CLI::Option* check = command->add_flag("--check", arguments->options.checks_only,
-                                         "Read all, print rates and gaps, write nothing");
+                                         "Read everything, print rates and gaps, write nothing");
   check->excludes(out);
   command
       ->add_option("--suggest", arguments->suggested,
-                   "Print a first mapping of this log or folder of data instead")
+                   "Print a first mapping of this log or folder instead")
       ->excludes(mapping)
       ->excludes(out)
       ->excludes(check);
   command->add_flag("--skip-bad-rows", arguments->options.skips_bad_rows,
-                    "Leave out rows and messages that cannot be read, and count them");
+                    "Skip and count rows and messages that cannot be read");
   command
       ->add_option("--set", arguments->options.overrides,
                    "key.path=value instead of the mapping's, above all file=recording.csv")
@@ -136,12 +136,11 @@ void AddImportCommand(CLI::App* app) {
     if (arguments->mapping.empty()) {
       throw InputError("MAPPING",
                        {FaultKind::kMissing,
-                        "is missing; name the mapping's file, or ask for one by --suggest LOG"});
+                        "is missing; name the mapping's file, or create one with --suggest LOG"});
     }
     if (arguments->out.empty() && !arguments->options.checks_only) {
-      throw InputError("--out",
-                       {FaultKind::kMissing,
-                        "is missing; name the recording's new directory, or ask for --check"});
+      throw InputError("--out", {FaultKind::kMissing,
+                                 "is missing; name the recording's new directory, or use --check"});
     }
     arguments->options.cylinder_stroke = StrokeOf;
     PrintReport(ImportCsv(arguments->mapping, arguments->out, arguments->options));

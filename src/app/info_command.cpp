@@ -18,7 +18,7 @@ void AddInfoCommand(CLI::App* app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      app->add_subcommand("info", "Say which versions, renderer and threads this machine offers");
+      app->add_subcommand("info", "Print the versions, renderer and threads of this computer");
   command->add_option("--egl-device", arguments->egl_device, "GPU to ask")
       ->check(WholeNumberFrom0());
   command->callback([arguments] {

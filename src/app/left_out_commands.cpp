@@ -12,16 +12,17 @@ void AddLeftOut(const std::string& name, const std::string& description, CLI::Ap
   CLI::App* command = app->add_subcommand(name, description + " (not in this build)");
   command->allow_extras();
   command->callback([name] {
-    throw InputError("tera " + name, {FaultKind::kUnsupported,
-                                      "left out of this build, which is that of the quickstart; "
-                                      "scripts/build.sh builds the whole program"});
+    throw InputError(
+        "tera " + name,
+        {FaultKind::kUnsupported,
+         "not in this build of the quickstart; scripts/build.sh builds the whole program"});
   });
 }
 
 }  // namespace
 
 void AddCampaignCommand(CLI::App* app) {
-  AddLeftOut("campaign", "Many varied episodes of one scenario", app);
+  AddLeftOut("campaign", "Run many varied episodes of one scenario", app);
 }
 void AddDiagnoseCommand(CLI::App* app) {
   AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
@@ -37,9 +38,9 @@ void AddRos2Command(CLI::App* app) { AddLeftOut("ros2", "Run a scenario live for
 void AddServeCommand(CLI::App* app) {
   AddLeftOut("serve", "Let a program step a scenario over a socket", app);
 }
-void AddSiteCommand(CLI::App* app) { AddLeftOut("site", "Make a site of a survey", app); }
+void AddSiteCommand(CLI::App* app) { AddLeftOut("site", "Make a site from a survey", app); }
 void AddSweepCommand(CLI::App* app) {
-  AddLeftOut("sweep", "What factors of a scenario do to a figure of a report", app);
+  AddLeftOut("sweep", "Measure how factors of a scenario change a figure of a report", app);
 }
 
 }  // namespace tera

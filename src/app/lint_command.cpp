@@ -39,7 +39,7 @@ void WriteFiles(const LintArguments& arguments, const LintReport& report) {
 /// A dataset with errors gets no hashes, because hashes certify a dataset without errors.
 void WriteHashes(const LintArguments& arguments, bool found_errors) {
   if (found_errors) {
-    fmt::print("{}: not written, since there are errors\n", kFrameHashesName);
+    fmt::print("{}: not written because of errors\n", kFrameHashesName);
     return;
   }
   fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
@@ -80,21 +80,22 @@ void RunLint(const LintArguments& arguments) {
 
 void AddLintCommand(CLI::App* app) {
   auto arguments = std::make_shared<LintArguments>();
-  CLI::App* command =
-      app->add_subcommand("lint", "Hold a dataset to the rules of its format and to itself");
+  CLI::App* command = app->add_subcommand(
+      "lint", "Check a dataset against the rules of its format and for contradictions");
   command->add_option("DATASET", arguments->dataset, "Dataset directory");
   command->add_option("--json", arguments->json, "Report to write, see docs/reference/lint.md");
   command->add_option("--sarif", arguments->sarif, "Report to write as SARIF 2.1.0");
   command->add_option("--statistics", arguments->statistics,
-                      "Page (HTML) to write of what the dataset holds");
+                      "Page (HTML) to write with statistics of the dataset");
   command
       ->add_option("--sample", arguments->every_frame,
-                   "Open one of so many frames of each camera and lidar (1: all)")
+                   "Check one of so many frames of each camera and lidar (1: all)")
       ->check(WholeNumberBetween(1, kMostSpread));
   command->add_flag("--strict", arguments->strict, "Warnings count too: end with status 1");
-  command->add_flag("--write-hashes", arguments->write_hashes,
-                    "Write frames.sha256 where there is no error; later runs hold files to it");
-  command->add_flag("--rules", arguments->rules, "List all rules, look at no dataset");
+  command->add_flag(
+      "--write-hashes", arguments->write_hashes,
+      "Write frames.sha256 if there is no error; later runs check the files against it");
+  command->add_flag("--rules", arguments->rules, "List all rules without a dataset");
   command->callback([arguments] { RunLint(*arguments); });
 }
 

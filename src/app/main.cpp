@@ -12,11 +12,10 @@ void AddProveCommand(CLI::App* app) {
   command->group("")->allow_extras();  // hides the command in help and manual pages
   command->set_help_flag("");          // `tera prove --help` prints the same text
   command->callback([] {
-    throw tera::InputError(
-        "tera prove",
-        {tera::FaultKind::kUnsupported,
-         "is a program of its own; run tera-prove with the same options, of the package "
-         "tera-prove or of the build's target of that name"});
+    throw tera::InputError("tera prove",
+                           {tera::FaultKind::kUnsupported,
+                            "is a separate program; run tera-prove with the same options, from the "
+                            "package tera-prove or the build target of this name"});
   });
 }
 
@@ -26,7 +25,7 @@ int main(int argc, char** argv) {
   CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators", "tera"};
   app.require_subcommand(1);
   app.set_version_flag("--version", tera::AboutProgram(),
-                       "Print the version, and what this program was built from and how");
+                       "Print the version and the build of this program");
   tera::AddGenerateCommand(&app);
   tera::AddCampaignCommand(&app);
   tera::AddCheckCommand(&app);

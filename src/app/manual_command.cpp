@@ -50,7 +50,7 @@ void AddManualCommand(CLI::App* app) {
 void AddCompletionCommand(CLI::App* app) {
   auto shell = std::make_shared<Shell>();
   CLI::App* command = app->add_subcommand(
-      "completion", "Print a script by which a shell completes this program's command line");
+      "completion", "Print a script for completion of this program's command line in a shell");
   command->add_option("SHELL", *shell, "bash, fish or zsh")->required()->transform(OneOf(kShells));
   command->callback([app, shell] { fmt::print("{}", ScriptFor(*shell, HelpOf(*app))); });
 }

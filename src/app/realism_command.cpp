@@ -20,7 +20,7 @@ void AddRealismCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "realism", "Compare statistics of a dataset's colour pictures with those of photographs");
   command->add_option("DATASET", arguments->dataset, "Dataset directory")->required();
-  command->add_option("--sample", arguments->every_frame, "Look at one of so many frames (1: all)")
+  command->add_option("--sample", arguments->every_frame, "Evaluate one of so many frames (1: all)")
       ->check(WholeNumberBetween(1, kMostSpread));
   command->add_option("--json", arguments->json, "File to write the numbers to");
   command->callback([arguments] {

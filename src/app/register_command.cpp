@@ -41,7 +41,7 @@ void PrintPose(const Registration& found) {
                        : std::string("not observed");
   };
   fmt::print(
-      "1 sigma: x {} y {} z {} m, about x {} y {} z {} deg, of B at ({:.2f}, {:.2f}, {:.2f}) of "
+      "1 sigma: x {} y {} z {} m, about x {} y {} z {} deg, of B at ({:.2f}, {:.2f}, {:.2f}) in "
       "A\n",
       one(0), one(1), one(2), one(3), one(4), one(5), found.centre_A_m.x(), found.centre_A_m.y(),
       found.centre_A_m.z());
@@ -49,14 +49,15 @@ void PrintPose(const Registration& found) {
 
 void PrintOpen(const Registration& found) {
   if (found.open.empty()) return;
-  fmt::print("the geometry leaves open: {}\n",
-             found.open_axes.empty() ? "no axis as a whole"
+  fmt::print("not observed by the geometry: {}\n",
+             found.open_axes.empty() ? "a combination of axes"
                                      : fmt::format("{}", fmt::join(found.open_axes, ", ")));
   for (const OpenMotion& motion : found.open) {
     const Vec3 &along = motion.along, &at_m = motion.through_A_m;
     if (motion.is_turn) {
-      fmt::print("  a turn about ({:.2f}, {:.2f}, {:.2f}) through ({:.2f}, {:.2f}, {:.2f}) of A\n",
-                 along.x(), along.y(), along.z(), at_m.x(), at_m.y(), at_m.z());
+      fmt::print(
+          "  a rotation about ({:.2f}, {:.2f}, {:.2f}) through ({:.2f}, {:.2f}, {:.2f}) in A\n",
+          along.x(), along.y(), along.z(), at_m.x(), at_m.y(), at_m.z());
     } else {
       fmt::print("  a shift along ({:.2f}, {:.2f}, {:.2f})\n", along.x(), along.y(), along.z());
     }
@@ -117,26 +118,27 @@ void AddRegisterCommand(CLI::App* app) {
   auto arguments = std::make_shared<RegisterArguments>();
   CLI::App* command = app->add_subcommand(
       "register",
-      "Align two scans, or a scan and a terrain: how B lies in A, and how well; exit status 3 "
-      "without overlap, 4 where it does not converge, 5 where a direction stays open");
+      "Align two scans, or a scan and a terrain: pose of B in A with its uncertainty; exit status "
+      "3 without overlap, 4 without convergence, 5 with an unobserved direction");
   command->add_option("A", arguments->a, "Points (.pcd, .ply, .las) or elevations (.tif)")
       ->required();
-  command->add_option("B", arguments->b, "The same; X_AB is its pose in A")->required();
+  command->add_option("B", arguments->b, "Points or elevations; X_AB is their pose in A")
+      ->required();
   command
       ->add_option("--start", arguments->start,
-                   "X Y Z ROLL PITCH YAW (m, deg): X_AB to begin with; without it all 0")
+                   "X Y Z ROLL PITCH YAW (m, deg): initial X_AB; without it all 0")
       ->expected(kPoseNumbers);
   command
       ->add_option("--gate", arguments->request.gate_m,
-                   "Farthest in m that a point may be from its partner at the start; 1")
+                   "Largest distance in m of a point from its partner at the start; 1")
       ->check(NumberBetween(kLeast_m, kMost_m, "metres"));
   command
       ->add_option("--voxel", arguments->request.voxel_m,
-                   "Points are thinned to one in a cube of so many m; 0.1")
+                   "Edge in m of the cubes that keep one point each; 0.1")
       ->check(NumberBetween(kLeast_m, kMost_m, "metres"));
   command
       ->add_option("--least-overlap", arguments->request.least_overlap,
-                   "Share of one of the two that must have partners in the other; 0.2")
+                   "Least share of points with partners in the other; 0.2")
       ->check(NumberBetween(0, 1, "of all"));
   command->add_option("--json", arguments->json, "File to write, see docs/reference/survey.md");
   command->callback([arguments] { RunRegister(*arguments); });

@@ -27,10 +27,10 @@ void RunReplay(const ReplayArguments& arguments) {
 void AddReplayCommand(CLI::App* app) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app->add_subcommand(
-      "replay", "Simulate a recorded run again from its commands, to the same bytes");
+      "replay", "Simulate a recorded run again from its commands; the result has the same bytes");
   command
       ->add_option("RECORDING", arguments->recording,
-                   "Directory of a simulated dataset; also one that was stopped (.incomplete)")
+                   "Directory of a simulated dataset, also of an interrupted one (.incomplete)")
       ->required();
   AddRunOptions(command, &arguments->options);
   AddMovedOption(command, &arguments->moved);

@@ -110,8 +110,8 @@ void RunRos2(const Ros2Arguments& arguments) {
 void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
   command
       ->add_option("--pace", options->pace,
-                   "real: as on the wall; fast: as fast as it can; lockstep: as lever messages "
-                   "answer /clock")
+                   "real: wall clock; fast: as fast as possible; lockstep: one step per answer of "
+                   "lever messages to /clock")
       ->transform(OneOf<ros::Pace>({{"real", ros::Pace::kReal},
                                     {"fast", ros::Pace::kFast},
                                     {"lockstep", ros::Pace::kLockstep}}));
@@ -122,7 +122,7 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
       ->capture_default_str();
   command
       ->add_option("--answer-timeout", options->answer_timeout_s,
-                   "Seconds on the wall that lockstep waits for an answer")
+                   "Wall-clock seconds that lockstep waits for an answer")
       ->check(NumberBetween(0.01, 3600, "seconds"))
       ->capture_default_str();
   command->add_option("--duration", options->duration_s, "Simulated seconds, instead of no end")
@@ -139,7 +139,7 @@ void AddRos2Command(CLI::App* app) {
   command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
       ->check(WholeNumberBetween(0, ros::Participant::kLargestDomainId));
   command->add_flag("--localhost-only", arguments->localhost_only,
-                    "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it whoever is on the "
+                    "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it everyone on the "
                     "network can drive the machines");
   AddPaceOptions(command, &arguments->options);
   command->add_option("--record", arguments->record,

@@ -57,14 +57,14 @@ void AddServeCommand(CLI::App* app) {
       ->capture_default_str();
   command
       ->add_option("--listen", arguments->server.address,
-                   "Address to listen on. Whoever reaches it can use the server: there is no "
+                   "Address to listen on. Everyone who reaches it can use the server, which has no "
                    "password and no encryption")
       ->capture_default_str();
   command->add_option("--record", arguments->record,
-                      "Folder in which each episode becomes a dataset, episode_0001 and so on");
-  command->add_flag("--stop-with-stdin", arguments->stop_with_stdin,
-                    "End at the end of standard input too, as when the program that started this "
-                    "one dies");
+                      "Folder for one dataset per episode, episode_0001 and so on");
+  command->add_flag(
+      "--stop-with-stdin", arguments->stop_with_stdin,
+      "Also end when standard input closes, for instance when the parent program dies");
   AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunServe(*arguments); });
 }

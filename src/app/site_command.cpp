@@ -83,8 +83,8 @@ void RunSite(SiteArguments arguments) {
                          : request.about_middle    ? "--local"
                                                    : nullptr;
   if (site.has_map && needless) {
-    throw InputError(
-        needless, fmt::format("the survey is in '{}' and needs none; leave it out", site.map.name));
+    throw InputError(needless,
+                     fmt::format("the survey is in '{}' and needs none; remove it", site.map.name));
   }
   WholeFolder folder(arguments.out);
   WriteSite(site, ScenarioName(arguments.survey), arguments.survey.filename().string(),
@@ -100,18 +100,19 @@ void AddSiteCommand(CLI::App* app) {
   constexpr double kFinest_m = 0.01, kCoarsest_m = 10, kWidest_m = 50;
   auto arguments = std::make_shared<SiteArguments>();
   CLI::App* command = app->add_subcommand(
-      "site", "Make a site of a survey: its terrain, and what stands on it as obstacles");
+      "site", "Make a site from a survey: its terrain, and things on it as obstacles");
   command->add_option("SURVEY", arguments->survey, "Points (.pcd, .ply, .las) or elevations (.tif)")
       ->required();
   command->add_option("--out", arguments->out, "Folder of the site; new or empty")->required();
   command
-      ->add_option("--cell", arguments->cell_m,
-                   "Side of the terrain's cells in m; without it the finest that has points")
+      ->add_option(
+          "--cell", arguments->cell_m,
+          "Side of the terrain's cells in m; without it the finest size with enough points")
       ->check(NumberBetween(kFinest_m, kCoarsest_m, "metres"));
   command->add_option("--map", arguments->request.map,
-                      "Reference system of the coordinates where the file names none: EPSG:n");
+                      "Reference system of the coordinates if the file names none: EPSG:n");
   command->add_flag("--local", arguments->request.about_middle,
-                    "Take coordinates without a reference system about their own middle");
+                    "Centre coordinates without a reference system on their own middle");
   command
       ->add_option("--origin", arguments->origin,
                    "Latitude, longitude (deg) and height (m) of (0, 0, 0) of a survey without a "
@@ -123,11 +124,11 @@ void AddSiteCommand(CLI::App* app) {
       ->check(NumberBetween(1, kWidest_m, "metres"));
   command
       ->add_option("--steepest-ground", arguments->steepest_deg,
-                   "Slope in deg up to which what rises from the ground is ground; 45")
+                   "Largest slope of ground in deg; 45")
       ->check(NumberBetween(5, 80, "degrees"));
   command
       ->add_option("--gap", arguments->request.gap_m,
-                   "Distance in m between two things; nearer is one; 0.5")
+                   "Least distance in m between two things; nearer points are one thing; 0.5")
       ->check(NumberBetween(0.05, kCoarsest_m, "metres"));
   command->callback([arguments] { RunSite(*arguments); });
 }

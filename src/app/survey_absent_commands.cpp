@@ -18,7 +18,7 @@ void AddAbsent(CLI::App* app, const std::string& name, const std::string& what) 
 
 }  // namespace
 
-void AddSiteCommand(CLI::App* app) { AddAbsent(app, "site", "Make a site of a survey"); }
+void AddSiteCommand(CLI::App* app) { AddAbsent(app, "site", "Make a site from a survey"); }
 
 void AddRegisterCommand(CLI::App* app) { AddAbsent(app, "register", "Align two clouds"); }
 

@@ -56,9 +56,9 @@ void RunSweep(const SweepArguments& arguments) {
   std::vector<int> numbers;
   for (const auto& [number, record] : state.done) numbers.push_back(number);
   if (numbers.empty()) {
-    throw InputError(
-        plan.folder.string(),
-        {FaultKind::kMissing, "no episode could be made; `tera campaign status` says why"});
+    throw InputError(plan.folder.string(),
+                     {FaultKind::kMissing,
+                      "no episode could be made; `tera campaign status` prints the reasons"});
   }
   const SweepResult sweep = TakeSweep(plan, numbers, options);
   WriteSweep(sweep, plan);
@@ -73,14 +73,15 @@ void AddSweepCommand(CLI::App* app) {
   auto arguments = std::make_shared<SweepArguments>();
   CLI::App* command = app->add_subcommand(
       "sweep",
-      "What factors of a scenario do to a figure of a report (docs/reference/campaign.md)");
+      "Measure how factors of a scenario change a figure of a report (docs/reference/campaign.md)");
   command->add_option("CAMPAIGN", arguments->campaign, "Campaign file (YAML) with an outcome")
       ->required();
-  command->add_option("--out", arguments->out, "Folder of the sweep; goes on where it holds one")
+  command
+      ->add_option("--out", arguments->out, "Folder of the sweep; an existing sweep is continued")
       ->required();
   command
       ->add_option("--processes", arguments->processes,
-                   "Most episodes and commands at once; as many as there are cores")
+                   "Most episodes and commands at once; number of cores")
       ->check(WholeNumberBetween(1, 4096));
   command->callback([arguments] { RunSweep(*arguments); });
 }

@@ -69,9 +69,8 @@ void RunProve(ProveArguments* arguments) {
 void AddOptions(CLI::App* app, ProveArguments* arguments) {
   blind::ProveOptions& prove = arguments->prove;
   app->add_option("--cases", prove.cases, "How many")->check(CLI::Range(1, 100000));
-  app->add_option("--first", prove.first, "Number of the first of them")
-      ->check(CLI::Range(1, 100000));
-  app->add_option("--seed", prove.seed, "Of what is concealed");
+  app->add_option("--first", prove.first, "Number of the first case")->check(CLI::Range(1, 100000));
+  app->add_option("--seed", prove.seed, "Seed of the concealed effects");
   app->add_option("--out", prove.out, "Folder to write, which must not exist")->required();
   const std::map<std::string, blind::MakerKind> makers = {{"own", blind::MakerKind::kOwn},
                                                           {"mujoco", blind::MakerKind::kMujoco}};
@@ -79,7 +78,7 @@ void AddOptions(CLI::App* app, ProveArguments* arguments) {
                   "own: joints or tracks alone; mujoco: a whole machine with all its sensors")
       ->transform(CLI::CheckedTransformer(makers, CLI::ignore_case));
   app->add_flag("--reserve", prove.reserve,
-                "Of mujoco: forms, manoeuvres and a machine that no other run uses");
+                "mujoco: forms, manoeuvres and a machine that no other run uses");
   app->add_option("--duration", prove.duration_s, "Seconds of each recording")
       ->check(CLI::Range(26.0, 3600.0));
   app->add_option("--threads", arguments->threads, "Fits at a time")->check(CLI::PositiveNumber);

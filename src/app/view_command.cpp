@@ -70,17 +70,17 @@ void AddViewCommand(CLI::App* app) {
                    "Folder of a dataset or of a diagnosis; two datasets are shown side by side")
       ->required();
   CLI::Option* const port =
-      command->add_option("--port", arguments->port, "Of 127.0.0.1; without it a free one")
+      command->add_option("--port", arguments->port, "Port on 127.0.0.1; without it a free one")
           ->check(WholeNumberBetween(1, kHighestPort));
   CLI::Option* const excerpt = command->add_option(
       "--export", arguments->excerpt, "Write one HTML file with part of the data; serve nothing");
   excerpt->excludes(port);
-  command->add_option("--size", arguments->size_mb, "Of that file, at most so many MB; 25")
+  command->add_option("--size", arguments->size_mb, "Largest size of that file in MB; 25")
       ->check(WholeNumberBetween(1, kMostExcerptMb))
       ->needs(excerpt);
   AddMovedOption(command, &arguments->moved);
   command->add_flag("--stop-with-stdin", arguments->stop_with_stdin,
-                    "End when standard input is closed");
+                    "End when standard input closes");
   command->callback([arguments] {
     if (arguments->excerpt.empty())
       Serve(*arguments);

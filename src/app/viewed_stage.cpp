@@ -163,8 +163,7 @@ Stage StageOfRecording(const std::filesystem::path& recording,
   if (!recorded.info().simulated) {
     throw InputError(
         recording.string(),
-        {FaultKind::kUnsupported,
-         "is a real recording, of which no scenario says what its machine looks like"});
+        {FaultKind::kUnsupported, "is a real recording, and no scenario describes its machine"});
   }
   return StageOf(LoadRecordedScenario(recording, {}, moved).scenario, recorded);
 }

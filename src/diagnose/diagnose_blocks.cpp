@@ -11,11 +11,11 @@
 namespace tera {
 namespace {
 
-/// Ends a search whose time is over.
+/// Thrown at the deadline to end a search.
 struct OutOfTime {};
 
-/// Diagnoses a block until a deadline. Every prediction checks it, since no part of a search goes
-/// without predictions for long.
+/// Diagnoses a block until a deadline. Every prediction checks the deadline, because all parts of a
+/// search make predictions often.
 BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
                               const Stream& stream, const std::optional<Deadline>& deadline) {
   if (!deadline) return DiagnoseBlock(*block, options, stream);

@@ -13,8 +13,8 @@
 
 namespace tera {
 
-/// Reports a diagnosis's progress: before each block, and after it with its diagnosis. Blocks may
-/// overlap in time.
+/// Progress of a diagnosis, reported before each block, and after each block with its diagnosis.
+/// Several blocks may be in progress at once.
 struct BlockProgress {
   std::string machine;
   std::string block;
@@ -23,27 +23,26 @@ struct BlockProgress {
 };
 using FollowProgress = std::function<void(const BlockProgress&)>;
 
-/// The random stream of a block's diagnosis.
+/// Random stream for the diagnosis of a block.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
-/// Search options that correct p-values for the tests of all these blocks together.
+/// Options with p-values corrected for the tests of all `blocks` together.
 SearchOptions WithTotalsOf(SearchOptions options, const std::vector<ReplayBlock>& blocks);
 
-/// Corrects the blocks that the discrepancies belong to, and returns the corrections.
+/// Corrects the replays of the blocks for their discrepancies. Returns the corrections.
 std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
     const std::vector<ReplayDiscrepancy>& discrepancy, std::uint64_t seed, int threads,
     std::vector<ReplayBlock>* blocks);
 
 using Deadline = std::chrono::steady_clock::time_point;
 
-/// Diagnoses blocks, in as many threads as given, until an optional deadline. Calls of `progress`
-/// do not overlap.
+/// Diagnoses blocks in parallel until an optional deadline. Calls of `progress` do not overlap.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
                                            const SearchOptions& options, std::uint64_t seed,
                                            const FollowProgress& progress,
                                            const std::optional<Deadline>& deadline = {});
 
-/// Whether some block's poses were found to carry arrival stamps.
+/// True if some block found that its poses have arrival stamps.
 bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 
 }  // namespace tera

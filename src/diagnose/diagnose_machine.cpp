@@ -41,7 +41,7 @@ std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
   return DesignNextManoeuvre(model, axes, next, Stream(options.seed, "diagnose/next_manoeuvre"));
 }
 
-/// The channels of joints, gears and the base, marked as not corrected.
+/// Channels of joints, running gears and the base, marked as not corrected.
 std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& input,
                                                        const std::vector<ReplayBlock>& blocks) {
   const MachineModel& model = *input.model;
@@ -55,14 +55,14 @@ std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& inp
     const bool is_one = model.JointIndex(block.name) >= 0 || has_gear(block.name) ||
                         block.name == input.machine + "/base";
     const std::string& unit = block.channels.front().unit;
-    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // others are efforts
+    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // efforts have no correction
     for (const Channel& channel : block.channels) none.push_back({channel.name, channel.unit});
   }
   return none;
 }
 
-/// Diagnoses the machine's own blocks, then those of its sensors. The block of the base shows
-/// whether poses were stamped as they arrive, which the sensors' blocks depend on.
+/// Diagnoses the machine's own blocks first, then those of its sensors. The base's block shows
+/// whether poses have arrival stamps, and the sensors' blocks depend on this.
 std::vector<DiagnosedBlock> DiagnoseInTurn(
     const DiagnosisInput& input, const SensorDiagnosis& estimate, const Measurements& measured,
     std::vector<ReplayBlock> blocks, const DiagnosisOptions& options,
@@ -89,7 +89,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(
   if (FindsArrivalStamps(diagnosed)) {
     std::vector<std::string> obstacles;
     carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
-    for (std::string& obstacle : obstacles) {  // most were already noted when the stamps were read
+    for (std::string& obstacle : obstacles) {  // most were found before
       const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
       if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
     }
@@ -103,7 +103,8 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(
   return diagnosed;
 }
 
-/// Reads the further recordings before the search, so that faults in them stop it at once.
+/// Reads the further recordings before the search, so that faults in them end the diagnosis at
+/// once.
 std::vector<HeldOutBlocks> ReadAll(const DiagnosisCase& asked, const DiagnosisOptions& options) {
   std::vector<HeldOutBlocks> held_out;
   for (const HeldOutCase& one : asked.held_out) {
@@ -179,8 +180,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
   StateTolerances(input.tolerances, &blocks, LeverInterval_s(input.commands));
-  // With missing input, the simulation under the levers is a different drive, and does not show
-  // what the replays lack in this one.
+  // With missing input, the simulated drive differs from the recorded one, and does not show what
+  // the replays lack.
   const bool is_same_drive = course && diagnosis.missing_input.empty();
   diagnosis.discrepancy_corrections =
       is_same_drive

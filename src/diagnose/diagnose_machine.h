@@ -20,26 +20,27 @@ struct DiagnosisOptions {
   BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
-  std::optional<CandidateLibrary> library;  ///< restricts or extends the blocks' own candidates
-  /// Time limit of the search. Unfinished blocks are not judged, so that the answer depends on the
-  /// computer's speed. If the limit is not reached, the answer is the same as without one.
+  std::optional<CandidateLibrary> library;  ///< restricts or extends the blocks' candidates
+  /// Time limit of the search. Blocks that are unfinished at the limit are not judged, so the
+  /// result depends on the computer's speed. If the search ends before the limit, the result is the
+  /// same as without one.
   std::optional<double> time_limit_s;
 };
 
-/// One machine of a scenario, its recording, and the other inputs of its diagnosis.
+/// Inputs of the diagnosis of one machine.
 struct DiagnosisCase {
   DiagnosisInput input;
   const Recording* recording = nullptr;
   std::vector<HeldOutCase> held_out;
-  SimulateMachine simulate;                     ///< empty: no simulation of the whole scenario
-  std::vector<PerceptionDiagnosis> perception;  ///< of its perception sensors
+  SimulateMachine simulate;                     ///< empty: the whole scenario is not simulated
+  std::vector<PerceptionDiagnosis> perception;  ///< diagnoses of the machine's lidars and cameras
   SiteOrigin origin;
-  KnownPlace place;  ///< the machine's place, besides its measurements
+  KnownPlace place;  ///< initial pose and ground in the scenario
 };
 
-/// Diagnoses one machine: blocks, further recordings, the whole simulation and the next manoeuvre.
-/// Without a simulation nothing is corrected. `clock` times the stages. Throws InputError where a
-/// recording cannot be compared.
+/// Diagnoses one machine: its blocks, further recordings, the whole simulation and the next
+/// manoeuvre. Without a simulation, replays are not corrected for their discrepancy. `clock` times
+/// the stages. Throws InputError if a recording cannot be compared.
 Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
                    StageClock* clock);
 

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Values by the names of a block's channels.
+/// Adds values by the names of a block's channels.
 void Put(const ReplayBlock& block, const std::vector<double>& values, Json* map) {
   for (std::size_t c = 0; c < values.size(); ++c) (*map)[block.channels[c].name] = values[c];
 }
@@ -36,8 +36,8 @@ void Add(const ReplayBlock& block, const BaselineAnswer& answer, Json* method) {
   Put(block, answer.rmse_final, &(*method)["rmse"]);
 }
 
-/// The recording's name of a machine of the scenario: the same name, or the only one where scenario
-/// and recording have one machine each.
+/// Name of a scenario's machine in the recording: the same name, or the only machine if scenario
+/// and recording have just one.
 std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                             const Recording& recording) {
   const std::vector<std::string> names = recording.Machines();
@@ -49,7 +49,7 @@ std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                                 fmt::join(names, ", "))});
 }
 
-/// The levers that the scenario replays; empty if it replays none.
+/// Levers that the scenario replays; empty if it replays none.
 TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   TableRecording commands;
   const MachineModel& model = machine.placement.model;
@@ -61,11 +61,11 @@ TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   return commands;
 }
 
-/// One machine of the scenario with the model that its diagnosis uses.
+/// One machine of the scenario, with the model for its diagnosis.
 struct MachineCase {
   const Scenario& scenario;
   std::size_t index = 0;
-  MachineModel model;  ///< its joints start where the scenario has them
+  MachineModel model;  ///< joints start at the scenario's positions
 
   MachineCase(const Scenario& of, std::size_t machine)
       : scenario(of), index(machine), model(of.machines[machine].placement.model) {
@@ -100,8 +100,8 @@ DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
   return options;
 }
 
-/// The machine's initial pose and ground in the scenario. Level ground is no measurement: a
-/// scenario without heights has it too.
+/// Initial pose and ground of a machine in the scenario. Level ground is left out, because a
+/// scenario without measured heights has it too.
 KnownPlace KnownPlaceOf(const Scenario& scenario, std::size_t machine) {
   const std::shared_ptr<const Site> site = scenario.site;
   KnownPlace place{scenario.machines[machine].placement.X_WB, {}};

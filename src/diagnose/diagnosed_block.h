@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A block and its diagnosis. The findings point into the block's candidates, so it is moved, never
-/// copied.
+/// A block and its diagnosis. Findings point into the block's candidates, so this object can be
+/// moved but not copied.
 struct DiagnosedBlock {
   DiagnosedBlock() = default;
   DiagnosedBlock(DiagnosedBlock&&) = default;

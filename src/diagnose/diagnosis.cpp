@@ -54,7 +54,7 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
 
 namespace {
 
-/// Share of the mean square of its channel's error on FINAL that a finding removes.
+/// Share of the channel's mean square error on FINAL that a finding removes.
 double RemovedShare(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const HeldOutError& error = finding.held_out;
   double at_first = 0;
@@ -65,7 +65,7 @@ double RemovedShare(const DiagnosedBlock& diagnosed, const Finding& finding) {
   return at_first > 0 ? removed / (at_first * at_first) : removed;
 }
 
-/// Gain in log-likelihood of a block's findings, each over the structure without it.
+/// Total gain in log-likelihood of a block's findings, each over the structure without it.
 double GainOf(const DiagnosedBlock& diagnosed) {
   double share = 0;
   for (const Finding& finding : diagnosed.diagnosis.findings) share += finding.evidence.share;

@@ -21,63 +21,66 @@ namespace tera {
 
 /// Diagnosis of the differences between one machine's recording and its simulation.
 struct Diagnosis {
-  std::string machine;                    ///< its name in the recording
-  std::string scenario;                   ///< its name in the scenario, which the overlay uses
-  TimeNs start_ns = 0;                    ///< time in the recording to which all times refer
-  bool levers_are_the_scenarios = false;  ///< the recording has none
+  std::string machine;                    ///< name in the recording
+  std::string scenario;                   ///< name in the scenario and in the overlay
+  TimeNs start_ns = 0;                    ///< zero of all times, in the recording's time
+  bool levers_are_the_scenarios = false;  ///< true if the recording has no levers of its own
   std::vector<DiagnosedBlock> blocks;
-  DiagnosedSensors sensors;  ///< comparison of units, receivers, encoders and poses with each other
-  std::vector<MissingInput> missing_input;  ///< axes that their levers do not explain; not searched
-  /// Time by which encoders run ahead of levers; none without a lead.
+  /// Inertial units, receivers, encoders and poses, compared with each other.
+  DiagnosedSensors sensors;
+  /// Axes whose motion their levers do not explain; they have no block.
+  std::vector<MissingInput> missing_input;
+  /// Time by which encoders run ahead of the levers; empty if they do not.
   std::optional<double> encoder_lead_s = {};
-  std::vector<std::string> not_compared;  ///< measurements that were not compared, with the reason
-  /// Samples at which loose ground may let the base lag behind its tracks.
+  std::vector<std::string> not_compared;  ///< each with the reason
+  /// Samples at which the base may lag behind its tracks on loose ground.
   std::vector<ExcludedSamples> excluded_samples;
-  std::vector<PerceptionDiagnosis> perception;  ///< of ranging sensors and cameras
-  /// Levers that would resolve this recording's ambiguities; none if there are none, or no levers
-  /// would.
+  /// Diagnoses of lidars, depth cameras and colour cameras.
+  std::vector<PerceptionDiagnosis> perception;
+  /// Lever motions that would resolve ambiguities of this recording. Empty without ambiguities, or
+  /// if no levers would resolve them.
   std::optional<NextManoeuvre> next;
-  std::vector<HeldOutRecording> held_out;  ///< further recordings, in the given order
-  /// Corrections of predictions for the replay's discrepancy, one for each channel of joints,
-  /// tracks and the base.
+  std::vector<HeldOutRecording> held_out;  ///< validation on further recordings, in the given order
+  /// Corrections for the discrepancy of the replays, one per channel of joints, tracks and the
+  /// base.
   std::vector<DiscrepancyCorrection> discrepancy_corrections;
-  std::optional<WholeSimulation> whole;  ///< none without findings, or if not requested
+  std::optional<WholeSimulation> whole;  ///< empty without findings, or if not requested
   SiteOrigin origin;                     ///< geodetic origin of the scenario's W, for maps
 };
 
-/// Verdicts of a diagnosis; several may hold.
+/// Verdicts of a diagnosis. Several can hold at once.
 enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 
-/// The verdict's name as in diagnosis.json: "named".
+/// Name of the verdict in diagnosis.json: "named".
 std::string_view NameOf(Verdict verdict);
 
-/// The verdicts of a diagnosis. kNone: no finding, and no error left in the blocks that could be
-/// judged. kNamed and kClass: by the findings. kUnexplained: error is left. kUntestable: something
-/// could not be compared or judged, or a candidate is undetectable at any size.
+/// The verdicts of a diagnosis. kNone: no finding, and no unexplained error in the judged blocks.
+/// kNamed: a finding without rivals. kClass: a finding with rivals. kUnexplained: an error that no
+/// mechanism explains. kUntestable: something could not be compared or judged, or a candidate is
+/// undetectable at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
-/// An unexplained error with its block.
 struct UnexplainedInBlock {
   const DiagnosedBlock* diagnosed = nullptr;
   const Unexplained* unexplained = nullptr;
 };
 
-/// Findings of a block, by descending removed error of their channel on FINAL. The gain in
-/// log-likelihood would instead rank an effect that is faint in many manoeuvres above one that is
-/// strong in few. The diagnosis must outlive the returned pointers.
+/// Findings of a block, by the share of their channel's mean square error on FINAL that they
+/// remove, in descending order. A gain in log-likelihood would rank a faint effect in many
+/// manoeuvres above a strong one in few. The diagnosis must outlive the returned pointers.
 std::vector<const Finding*> RankedFindings(const DiagnosedBlock& diagnosed);
 
-/// Findings of all blocks in three lists: findings within tolerance; chosen findings that FINAL
-/// does not confirm; mechanisms that come nearest to an unexplained error but are not its cause
-/// (proxies).
+/// Findings in three lists: within tolerance; selected, but not confirmed on FINAL; nearest to an
+/// unexplained error without being its cause (proxies).
 std::vector<const Finding*> WithinToleranceOf(const Diagnosis& diagnosis);
 std::vector<const Finding*> UnconfirmedOf(const Diagnosis& diagnosis);
 std::vector<const Finding*> ProxiesOf(const Diagnosis& diagnosis);
 
-/// Unexplained errors, by the gain in log-likelihood that a flexible regressor reaches.
+/// Unexplained errors in descending order of the gain in log-likelihood that a flexible regressor
+/// reaches.
 std::vector<UnexplainedInBlock> RankedUnexplained(const Diagnosis& diagnosis);
 
-/// Whether a channel of a block has an unexplained residual.
+/// True if a channel of a block has an unexplained residual.
 bool IsLeft(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 /// What was learned of a channel of a block, or nullptr.
@@ -89,30 +92,29 @@ struct Cause {
   const DiagnosedBlock* block = nullptr;
   const SensorFound* sensor = nullptr;
   const PerceptionDiagnosis* seen_by = nullptr;
-  const PerceptionFinding* seen = nullptr;  ///< together with `seen_by`
+  const PerceptionFinding* seen = nullptr;  ///< set together with `seen_by`
 
   const Mechanism& mechanism() const { return *finding->term.candidate->mechanism; }
   const std::string& target() const { return finding->term.candidate->target; }
   /// SI unit of the errors before and after; "px" for pictures; empty if unknown.
   std::string ErrorUnit() const;
-  /// Ratio of the error without the cause to that with it.
+  /// Ratio of the error without the cause to the error with it; 0 if the latter is 0.
   double ErrorRatio() const;
 };
 
 /// All causes that a diagnosis names. Causes in blocks come first: blocks by descending total gain
-/// in log-likelihood on held-out samples, and the findings of a block in the order of
-/// RankedFindings. Causes in sensors that were compared with each other follow. Causes in lidars
-/// and cameras come last.
+/// in log-likelihood, and the findings of a block in the order of RankedFindings. Causes in sensors
+/// that were compared with each other follow. Causes in lidars and cameras come last.
 std::vector<Cause> RankedCauses(const Diagnosis& diagnosis);
 
-/// The same, sorted by descending ErrorRatio.
+/// The same causes, sorted by descending ErrorRatio.
 std::vector<Cause> CausesOf(const Diagnosis& diagnosis);
 
-/// Channels of sensors that were compared with each other, with a residual that no sensor parameter
-/// explains. Channels that a testable block judges are left out.
+/// Channels of sensors that were compared with each other, if no sensor parameter explains their
+/// residual. Channels that a testable block judges are left out.
 std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis);
 
-/// Other candidates that explain as well as the finding.
+/// Other candidates that explain the error as well as the finding's own.
 std::vector<const Candidate*> RivalsOf(const Finding& finding);
 
 }  // namespace tera

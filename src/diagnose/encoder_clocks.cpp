@@ -10,15 +10,16 @@ namespace tera {
 namespace {
 
 constexpr double kLongestLead_s = 0.5;
-/// Share of the rate's energy that the best shift must explain: with less, nothing can be said.
+/// Least share of the rate's energy that the best shift explains. Below it, the encoder has no
+/// estimate.
 constexpr double kLeastExplainedShare = 0.5;
-/// Residual of the best shift over that without a shift; a lead must halve it.
+/// Largest residual energy of the best shift, over that of no shift.
 constexpr double kMostLeftOfUnshifted = 0.5;
-/// Largest relative difference between encoders' leads: a clock gives all the same.
+/// Largest relative spread of leads: one clock gives all encoders the same lead.
 constexpr double kMostSpread = 0.25;
 
-/// Share of a rate's energy that the prediction `ahead` samples later explains, in proportion to
-/// it.
+/// Share of a rate's energy that a factor times the prediction explains. The prediction is taken
+/// `ahead` samples later.
 double ExplainedShare(const Series& rate, const std::vector<double>& predicted, std::size_t ahead) {
   double both = 0, measured = 0, expected = 0;
   for (std::size_t k = 0; k + ahead < predicted.size(); ++k) {
@@ -30,7 +31,7 @@ double ExplainedShare(const Series& rate, const std::vector<double>& predicted, 
   return both > 0 ? both * both / (measured * expected) : 0;
 }
 
-/// Lead of one block's encoder, 0 if it does not run ahead. None if the prediction does not move or
+/// Lead of one block's encoder; 0 if it does not run ahead. Returns nothing if the prediction
 /// explains too little.
 std::optional<double> LeadOf_s(const ReplayBlock& block) {
   const Series& rate = block.channels.front().measured;
@@ -67,9 +68,9 @@ std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks) {
 
 namespace {
 
-/// Log-likelihood of the rates of all axes under their levers, up to a constant independent of
-/// stamps. Each axis contributes minus half its samples times the logarithm of the energy share
-/// that its prediction, times any factor, does not explain.
+/// Log-likelihood of all rates under their levers, up to a constant that does not depend on stamps.
+/// The sum over axes is -n/2 log(1 - s). Here n is the number of samples, and s the energy share
+/// that a factor times the prediction explains.
 double LikelihoodByLevers(const std::vector<ReplayBlock>& blocks) {
   double sum = 0;
   for (const ReplayBlock& block : blocks) {

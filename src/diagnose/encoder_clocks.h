@@ -9,26 +9,27 @@
 
 namespace tera {
 
-/// Time by which encoders run ahead of the levers that move their joints. No joint moves before its
-/// command, so a lead shows that the clocks differ.
+/// Estimates the time by which encoders run ahead of the levers. No joint moves before its command,
+/// so a lead shows that the clocks differ. Returns nothing without a lead.
 ///
-/// Model   for each joint or track with a lever, the shift of its rate, up to 0.5 s, at which the
-///         scenario's predicted rate explains most of it. It is a lead if it exceeds 0.04 s,
-///         explains at least half and leaves at most half of the unshifted prediction's residual.
-///         The result is the mean, if at least two encoders move and all agree within a quarter.
-/// Omits   clocks that drift; a lead of single joints.
+/// Model   The rate of each driven joint or track is compared with the scenario's prediction,
+///         shifted by up to 0.5 s. The best shift explains most of the rate's energy. The best
+///         shift is a lead if it exceeds 0.04 s and explains at least half of the energy. A lead
+///         must also at least halve the residual of the unshifted prediction. The result is the
+///         mean over encoders. At least two encoders need an estimate, and all estimates must be
+///         leads that agree within a quarter.
+/// Omits   Clocks that drift; a lead of single joints.
 std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 
-/// Moves encoder stamps to the times of measurement, if the estimate names their clock without
-/// rivals and the levers confirm it. Otherwise each joint would seem to have a delay too.
+/// Shifts encoder stamps to the times of measurement. The shift needs a finding on the encoders'
+/// clock without rivals, and confirmation by the levers. Unshifted stamps would give each joint a
+/// delay as well. Returns true if a stamp has changed.
 ///
-/// Model   among sensors alone, late encoders are equivalent to all other sensors being early.
-///         Levers decide: rates of joints and gears as predicted by the scenario, with a factor and
-///         white noise of any size, are jointly likelier at the times of one clock than of the
-///         other. Stamps stay if the levers share the encoders' clock, or if levers do not decide.
-/// Omits   delays of drives, which make the later stamps likelier.
-///
-/// Returns whether any stamp has changed.
+/// Model   Sensors alone cannot distinguish late encoders from other sensors that are all early.
+///         The levers decide: the rates that the scenario predicts are compared with the measured
+///         rates for both clocks. The likelihood allows a factor and white noise of any size, and
+///         is summed over all axes. Stamps stay unless the shift makes the likelihood larger.
+/// Omits   Delays of drives, which make the later stamps likelier.
 bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                        const BlockOptions& options, Measurements* measured);
 

@@ -19,16 +19,17 @@ namespace tera {
 namespace {
 
 constexpr double kDegrees = 1 / kDeg;
-constexpr double kMostUnitRatio = 1.3;     ///< largest ratio of a factor to the unit factor that it
-                                           ///< matches
-constexpr double kLeastCorrelation = 0.7;  ///< of columns that are proportional
-constexpr double kLeastLeverRange = 0.2;   ///< of a lever that moves
-constexpr double kLeastRange_rad = 0.05;   ///< of a position that moves
-constexpr double kLeastWay_m = 2;          ///< distance between start and end of a base that drives
-constexpr double kBeyondLimit_rad = 0.2;   ///< by which a position may exceed a joint's limits
-constexpr double kPair_s = 0.1;  ///< between two positions whose difference is compared with a rate
-constexpr double kLongestDelay_s = 0.9;  ///< of a rate behind its lever
-/// Largest time by which commands may end early; beyond it they belong to another time.
+constexpr double kMostUnitRatio = 1.3;     ///< a factor matches a unit factor up to this ratio
+constexpr double kLeastCorrelation = 0.7;  ///< least correlation of proportional columns
+constexpr double kLeastLeverRange = 0.2;
+constexpr double kLeastRange_rad = 0.05;  ///< least range of a position that moves
+constexpr double kLeastWay_m = 2;  ///< least distance between start and end of a base that drives
+constexpr double kBeyondLimit_rad = 0.2;  ///< tolerated excess of a position over a joint's limits
+/// Distance in time of the two positions that are compared with a rate.
+constexpr double kPair_s = 0.1;
+constexpr double kLongestDelay_s = 0.9;  ///< longest delay of a rate behind its lever
+/// Commands may end earlier than other channels by this time. If they end even earlier, they belong
+/// to another time.
 constexpr double kMostEarlyEnd_s = 10;
 constexpr const char* kNotConverted = "nothing is converted: give its unit in the import";
 
@@ -46,8 +47,8 @@ bool IsNear(double found, double factor) {
   return found > 0 && std::abs(std::log(found / factor)) < std::log(kMostUnitRatio);
 }
 
-/// The unit that numbers are probably in if they are `factor` times what they would be in
-/// `si_unit`; empty if none fits.
+/// Probable unit of numbers that are `factor` times their value in `si_unit`. Empty if no unit
+/// fits.
 std::string UnitBehind(double factor, const std::string& si_unit) {
   const bool is_angle = si_unit.starts_with("rad");
   const std::string rest = si_unit.substr(is_angle ? 3 : std::min<std::size_t>(1, si_unit.size()));
@@ -62,7 +63,7 @@ std::string FileOf(const RecordedPlace& place, const std::string& channel) {
   return fmt::format("{}/{}/data.csv", place.directory, channel);
 }
 
-/// The slope of y over x about their means, and their correlation.
+/// Slope of y over x about their means, and correlation.
 struct Proportion {
   double factor = 0, correlation = 0;
 };
@@ -84,7 +85,7 @@ Proportion ProportionOf(const std::vector<double>& y, const std::vector<double>&
   return {xy / xx, xy / std::sqrt(xx * yy)};
 }
 
-/// Whether the lever of a joint or gear of that name moves.
+/// True if the lever of the joint or running gear `axis` moves.
 bool LeverMoves(const TableRecording& commands, const MachineModel& model,
                 const std::string& axis) {
   for (std::size_t c = 0; c < commands.columns.size(); ++c) {
@@ -99,7 +100,7 @@ bool LeverMoves(const TableRecording& commands, const MachineModel& model,
   return false;
 }
 
-/// One joint or gear of an encoder channel.
+/// Position and rate columns of one joint or running gear.
 struct AxisColumns {
   std::string file, position, rate, position_unit, rate_unit;
   std::vector<TimeNs> t_ns;
@@ -146,8 +147,7 @@ void RequireMoving(const AxisColumns& axis, bool lever_moves) {
   }
 }
 
-/// Throws where rates are a multiple, by a factor of units, of the changes of positions between
-/// samples that are `kPair_s` apart.
+/// Throws if rates are a unit factor times the changes of positions, over steps of kPair_s.
 void RequireRatesOfPositions(const AxisColumns& axis) {
   std::vector<double> change, rate;
   std::size_t from = 0;
@@ -173,7 +173,7 @@ void RequireRatesOfPositions(const AxisColumns& axis) {
                                axis.position_unit, unit, kNotConverted));
 }
 
-/// Throws where positions exceed the joint's limits and would be within them in another unit.
+/// Throws if positions exceed the joint's limits but would be within them in another unit.
 void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
   if (joint.type == JointType::kContinuous || joint.lower_rad >= joint.upper_rad) return;
   const auto beyond = [&](double factor) {
@@ -199,7 +199,6 @@ void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
   }
 }
 
-/// The times of a channel's first and last sample.
 struct TimeSpan {
   std::string what;
   TimeNs first_ns = 0, last_ns = 0;
@@ -211,7 +210,7 @@ void AddSpan(const std::string& what, const std::vector<Sample>& samples,
   if (!samples.empty()) spans->push_back({what, samples.front().t_ns, samples.back().t_ns});
 }
 
-/// The positions of a receiver and of the machine's poses, east or north, at the receiver's times.
+/// East or north positions of a receiver and of the machine's poses, at the receiver's times.
 struct Ways {
   std::vector<double> receiver_m, machine_m;
 };
@@ -228,7 +227,7 @@ Ways WaysOf(const std::vector<GnssSample>& samples, const std::vector<TruthPose>
   return ways;
 }
 
-/// Whether a measured rate follows the expected one with a delay.
+/// True if a measured rate follows the expected one with a delay.
 bool FollowsLate(const Series& measured, const std::vector<double>& expected) {
   const auto steps = static_cast<std::size_t>(kLongestDelay_s / measured.period_s);
   const std::size_t stride = std::max<std::size_t>(1, steps / 16);

@@ -15,10 +15,9 @@
 namespace tera {
 namespace {
 
-constexpr double kRounding_s = 0.05;        ///< of the length that a message states
-constexpr double kShortestPeriod_s = 1e-4;  ///< of any encoder or inertial unit
+constexpr double kRounding_s = 0.05;        ///< rounding of lengths in messages
+constexpr double kShortestPeriod_s = 1e-4;  ///< no encoder or inertial unit samples faster
 
-/// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
   std::vector<NamedEncoders> encoders;
   for (const std::string& channel : recording.ChannelsOf(kEncoderChannel)) {
@@ -29,7 +28,7 @@ std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::str
   return encoders;
 }
 
-/// The samples between two times.
+/// Removes the samples outside of two times.
 template <typename Sample>
 void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
   std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
@@ -59,7 +58,7 @@ std::pair<TimeNs, TimeNs> SpanOf(const Measurements& measured) {
   return {start_ns, end_ns};
 }
 
-/// A hint at a wrong time unit, if samples are denser than any sensor's.
+/// Hint at a wrong unit of time if samples are denser than any sensor's.
 std::string UnitOfTimeText(const Measurements& measured, double length_s) {
   std::size_t most = 0;
   for (const auto& named : measured.encoders) most = std::max(most, named.recording.samples.size());
@@ -69,7 +68,7 @@ std::string UnitOfTimeText(const Measurements& measured, double length_s) {
              : "";
 }
 
-/// Throws where the part that is diagnosed is too short.
+/// Throws if the diagnosed part is too short.
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
   const double length_s = ToSeconds(SpanOf(measured).second - measured.start_ns);
   const double left_s = std::min(options.to_s, length_s) - options.from_s;
@@ -97,7 +96,7 @@ void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
   }
 }
 
-/// "the recording has gnss (gnss), the scenario imu_boom": what does not match.
+/// Names of recorded and wanted channels: "the recording has gnss (gnss), the scenario imu_boom".
 std::string ChannelsText(const DiagnosisInput& input, const Recording& recording) {
   std::vector<std::string> recorded, wanted;
   const std::string prefix = input.machine + "/";

@@ -4,19 +4,19 @@
 
 namespace tera {
 
-/// Least length of a recording, s: a shorter one has too few manoeuvres for validation.
+/// Least length of a recording in seconds. A shorter one has too few manoeuvres for validation.
 inline constexpr double kShortestRecording_s = 20;
 
 struct MeasurementOptions {
-  double from_s = 0, to_s = 1e9;  ///< part of the recording, from its first sample on
-  bool needs_any = true;          ///< whether missing or insufficient measurements are an error
+  double from_s = 0, to_s = 1e9;  ///< diagnosed part, in time since the recording's first sample
+  bool needs_any = true;          ///< true: throw if measurements are missing or too short
 };
 
-/// The machine's checked measurements. Throws InputError.
+/// Reads, checks and corrects the machine's measurements. Throws InputError.
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
                             const MeasurementOptions& options = {});
 
-/// Poses for the base's replay: the measured ones, else those estimated from all sensors.
+/// Poses for the base's replay: the recorded ones, or else those estimated from all sensors.
 const std::vector<TruthPose>& BasePoses(const Measurements& measured);
 
 }  // namespace tera

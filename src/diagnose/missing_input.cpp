@@ -10,14 +10,15 @@
 namespace tera {
 namespace {
 
-constexpr double kNeutral = 0.02;       ///< largest resting lever: the expected dead band
-constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate after its return to neutral
-constexpr double kMovingShare = 0.2;    ///< share of the larger rates above which an axis moves
-constexpr double kLargerRates = 0.95;   ///< quantile that stands for the larger rates
+constexpr double kNeutral = 0.02;  ///< a lever below this rests: the expected dead band
+/// Longest effect of a lever on the rate after its return to neutral.
+constexpr double kLongestEffect_s = 2;
+constexpr double kMovingShare = 0.2;   ///< limit of a moving rate, over the axis's larger rates
+constexpr double kLargerRates = 0.95;  ///< quantile that represents the larger rates
 constexpr double kNoiseSigmas = 6;
 constexpr double kShake_s = 1;  ///< longest period of a machine's shaking
 constexpr double kMostShare = 0.2, kLeast_s = 2;
-constexpr double kLongestPeriod_s = 1;  ///< longest time attributed to a sample after lost ones
+constexpr double kLongestPeriod_s = 1;  ///< longest time that one sample covers after lost samples
 
 /// The kLargerRates quantile; 0 without values.
 double LargerOf(std::vector<double> size) {
@@ -28,9 +29,9 @@ double LargerOf(std::vector<double> size) {
   return *larger;
 }
 
-/// A lever over the steps of a log.
+/// Positions of one lever over the steps of a log.
 struct LeverSteps {
-  std::vector<std::size_t> rests_for;  ///< steps since it was last out of neutral
+  std::vector<std::size_t> rests_for;  ///< steps since the lever was last out of neutral
   double low = 0, high = 0;
 };
 
@@ -47,7 +48,8 @@ LeverSteps StepsOf(const AxisLog& log, std::size_t axis) {
   return steps;
 }
 
-/// Rate above which an axis moves: by its rates overall, its rates under its lever, and its noise.
+/// Rate above which an axis moves, from its rates overall, its rates under its lever, and its
+/// noise.
 double MovingRate(const MeasuredRate& measured, const LeverSteps& lever, std::size_t long_rest) {
   const std::vector<double>& rate = measured.rate_radps;
   std::vector<double> size, pushed, third;
@@ -81,13 +83,13 @@ std::vector<double> SizesWithoutShakes(const MeasuredRate& measured, double step
   return sizes;
 }
 
-/// Durations of an axis's motion: in total, while its lever rests, and in either direction.
+/// Durations of an axis's motion: in total, while its lever rests, and in each direction.
 struct MovingTime {
   double all_s = 0, resting_s = 0, forwards_s = 0, backwards_s = 0;
-  double rate_by_lever = 0;  ///< sum of their products, positive where the axis follows its lever
+  double rate_by_lever = 0;  ///< sum of rate times lever; positive if the axis follows its lever
 };
 
-/// The rates of the same channel in a simulation; null where there is none.
+/// Rates of the same channel in a simulation; null without one.
 const std::vector<double>* RatesOf(const AxisLog* simulated, const MeasuredRate& measured) {
   if (simulated == nullptr) return nullptr;
   for (const MeasuredRate& one : simulated->measured) {

@@ -24,8 +24,8 @@ bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   return MeasuresGears(input, measured) && !BasePoses(measured).empty();
 }
 
-/// Why the base of a machine with running gear is not compared, although gears or poses were
-/// measured.
+/// Reason why the base of a machine with running gear is not compared, although its running gear or
+/// poses were measured.
 std::string WithoutBaseText(const DiagnosisInput& input, const Measurements& measured) {
   const std::string base = input.machine + "/base: ";
   if (input.model->ground_tools.gears.empty()) return "";

@@ -12,7 +12,8 @@
 
 namespace tera {
 
-/// Times at which poses were measured, if their stamps are those of arrival.
+/// Times at which poses were measured, if their stamps may be times of arrival. Empty for simulated
+/// poses.
 std::optional<PoseTimes> ArrivalsOf(const Measurements& measured);
 
 /// The block of the base, if all tracks or wheels have encoders and its motion is known. For a
@@ -20,8 +21,8 @@ std::optional<PoseTimes> ArrivalsOf(const Measurements& measured);
 std::optional<ReplayBlock> RecordedBase(const DiagnosisInput& input, const Measurements& measured,
                                         std::string* why_not);
 
-/// Discrepancy of the base's replay from its simulation, whose encoders are `simulated`; none if
-/// the two have no time in common.
+/// Discrepancy of the base's replay from its simulation. `simulated` are the simulation's encoders.
+/// Empty if recording and simulation have no common time.
 std::optional<ReplayDiscrepancy> RecordedBaseDiscrepancy(
     const DiagnosisInput& input, const Measurements& measured,
     const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course);

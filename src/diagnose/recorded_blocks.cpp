@@ -25,7 +25,8 @@
 namespace tera {
 namespace {
 
-constexpr double kMostStepOfPeriod = 0.2;  ///< step of a replay over an encoder's period
+/// Step of the axes' replay over the encoders' shortest period.
+constexpr double kMostStepOfPeriod = 0.2;
 
 /// The step of the axes' replay, longer where no encoder needs it to be so fine.
 double AxisStep_s(const std::vector<NamedEncoders>& encoders) {
@@ -40,7 +41,7 @@ double AxisStep_s(const std::vector<NamedEncoders>& encoders) {
   return any ? std::max(kReplayStep_s, kMostStepOfPeriod * shortest_s) : kReplayStep_s;
 }
 
-/// Calls `add`. An InputError becomes an obstacle with its place, and the rest continues.
+/// Calls `add`. An InputError becomes an obstacle with its place, and the caller continues.
 void Try(const std::string& place, std::vector<std::string>* obstacles,
          const std::function<void()>& add) {
   try {
@@ -50,11 +51,11 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
   }
 }
 
-/// Blocks of one kind, and the reasons for missing ones.
+/// Blocks of one kind, and the reasons for missing blocks.
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  std::vector<std::string> motion_unknown;  ///< parts whose motion was not measured
+  std::vector<std::string> motion_unknown;  ///< sensors and base whose motion was not measured
 
   std::vector<std::string> NotCompared() && {
     std::move(motion_unknown.begin(), motion_unknown.end(), std::back_inserter(obstacles));
@@ -62,7 +63,7 @@ struct Made {
   }
 };
 
-/// Runs several makers in parallel; the results are in their order.
+/// Runs several makers in parallel. Results keep the order of the makers.
 Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size_t, Made*)>& make) {
   std::vector<Made> parts = InParallel<Made>(makers, threads, [&](std::size_t k) {
     Made part;
@@ -91,7 +92,7 @@ void RequireLever(const DiagnosisInput& input, std::size_t axis) {
   }
 }
 
-/// Adds a block for each joint and gear with an encoder and a lever.
+/// Adds a block for each joint and running gear with an encoder and a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
@@ -106,7 +107,7 @@ void AddAxes(const DiagnosisInput& input, const Measurements& measured, const Bl
   });
 }
 
-/// Adds a block for each joint whose drive's effort and position were measured.
+/// Adds a block for each joint with measured effort and position.
 void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
                 std::vector<ReplayBlock>* blocks) {
   for (EffortLog& log : MakeEffortLogs(*input.model, input.machine + "/efforts", measured.efforts,
@@ -125,7 +126,7 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, Made* ou
   if (!why_not.empty()) out->motion_unknown.push_back(why_not);
 }
 
-/// Adds the discrepancies of the replays of joints and gears.
+/// Adds the discrepancies of the replays of joints and running gears.
 void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measured,
                           const std::vector<NamedEncoders>& simulated,
                           std::vector<ReplayDiscrepancy>* out) {
@@ -139,7 +140,7 @@ void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measu
   }
 }
 
-/// The reason for which a recorded sensor makes no block.
+/// Reason why a recorded sensor has no block.
 std::string TooFewText(const DiagnosisInput& input, const SensorDescription& sensor) {
   return fmt::format(
       "{}/{}: how '{}' moved is known at too few of its times; need poses, and encoders of the "
@@ -165,7 +166,7 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured, const Bl
   });
 }
 
-/// The block of some of the scenario's receivers, by their indices among its sensors; none where
+/// Block of some receivers, given by their indices among the scenario's sensors. Returns nothing if
 /// the motion of an antenna was not measured.
 std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measurements& measured,
                                        const std::vector<std::size_t>& which) {
@@ -179,8 +180,8 @@ std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measur
   return MakeGnssBlock(receivers, std::move(log), input.machine);
 }
 
-/// Adds the blocks of receivers. Two with enough positions share a block. If either cannot be
-/// compared, each has its own.
+/// Adds the blocks of receivers. If the scenario has exactly two receivers, they share a block. If
+/// this block cannot be made, each has its own.
 void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* out) {
   std::vector<std::size_t> which;
   std::size_t in_all = 0;
@@ -195,7 +196,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   };
   if (which.size() == 2 && in_all == 2) {
     bool is_made = false;
-    std::vector<std::string> of_one;  // the receiver's own block reports it again
+    std::vector<std::string> of_one;  // the separate blocks report these again
     Try("", &of_one, [&] { is_made = add(which); });
     if (is_made) return;
   }
@@ -207,7 +208,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   }
 }
 
-/// "digger/encoders, gnss_left": what was recorded, by name.
+/// Names of the recorded measurements: "digger/encoders, gnss_left".
 std::string RecordedText(const DiagnosisInput& input, const Measurements& measured) {
   std::vector<std::string> found;
   for (const NamedEncoders& named : measured.encoders) found.push_back(named.channel);
@@ -246,8 +247,8 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
-/// Removes blocks that are too short, with the reason noted, and makes times relative to the
-/// recording's start.
+/// Removes blocks that are too short and notes the reason. Makes times relative to the recording's
+/// start.
 void Complete(TimeNs start_ns, Made* made) {
   std::erase_if(made->blocks, [&](const ReplayBlock& block) {
     const double length_s = static_cast<double>(block.samples()) * block.period_s();

@@ -85,7 +85,7 @@ struct SensorPlace {
   const SensorDescription& sensor;
   const std::vector<SensorDescription>& rig;  ///< all sensors of the machine
   const MachineModel& machine;
-  /// for example "excavator1/imu_boom", the base of its channel and random streams
+  /// prefix of the sensor's channel and random streams, for example "excavator1/imu_boom"
   std::string folder;
   std::uint64_t seed;
   SensorOutput output;

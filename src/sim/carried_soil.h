@@ -14,9 +14,9 @@ namespace tera {
 /// Frames  B is the frame of the shovel's link.
 /// Model   the surface of HeapSurface, with the angle of repose of the soil that has the largest
 ///         mass. Clods roughen it: their noise lowers the surface between them. Cohesive soil has
-///         larger clods than sand. Each point's colour is a quarter that of one of the carried
-///         soils, drawn by volume shares, and three quarters the mean of all. A skirt closes the
-///         gap between the surface's border and the shell.
+///         larger clods than sand. The colour of a point is one quarter the colour of a single
+///         carried soil (drawn by volume shares) and three quarters the mean colour of all carried
+///         soils. A skirt closes the gap between the surface's border and the shell.
 /// Omits   layers of soils: only the amount of each soil in a shovel is known. Clods keep their
 ///         places in the shovel while soil slides under them.
 class CarriedSoil {

@@ -59,8 +59,8 @@ std::optional<std::string> DoubtOfHolding(const Joint& joint, const Pose& X_WP,
                                        : axis_W.dot(weight_n));
   if (needed <= joint.max_effort_nm) return std::nullopt;
   return fmt::format(
-      ", joint {} needs {:.3g} {} to hold what hangs on it at the start, and its effort is {:.3g}: "
-      "is that in k{}?",
+      ", joint {} needs {:.3g} {} to hold its load at the start, and its effort is {:.3g}: is that "
+      "in k{}?",
       joint.name, needed, turns ? "N m" : "N", joint.max_effort_nm, turns ? "N m" : "N");
 }
 
@@ -98,7 +98,7 @@ std::optional<std::string> DoubtOfGear(const RunningGear& gear, const GearDrive&
   const bool is_left = gear.name.find("left") != std::string::npos;
   const bool is_right = gear.name.find("right") != std::string::npos;
   if (is_left == is_right || (is_left ? y_m >= 0 : y_m <= 0)) return std::nullopt;
-  return fmt::format(", {} lies to the {}, at y {:.3g} m: y points to the left", gear.name,
+  return fmt::format(", {} is on the {} side, at y {:.3g} m: y points to the left", gear.name,
                      is_left ? "right" : "left", y_m);
 }
 

@@ -125,7 +125,7 @@ std::optional<std::string> DoubtOfDensity(const std::string& link, double mass_k
   // A flat mesh has no volume.
   const double volume_m3 = box.isEmpty() ? 0 : box.volume();
   if (volume_m3 <= 0 || mass_kg <= kDensest_kgpm3 * volume_m3) return std::nullopt;
-  return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: is it drawn too small?",
+  return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: are its meshes too small?",
                      link, mass_kg, Shown(SizeOf(box)));
 }
 
@@ -139,22 +139,22 @@ std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
   const double half_m = 0.5 * body.box.diagonal().norm();
   if (gyration_m > half_m) {
     return fmt::format(
-        ", link {}: {:.3g} kg, and its inertia (radius of gyration {:.3g} m) is that "
-        "of a body larger than what is drawn of it ({}): placeholders?",
+        ", link {}: {:.3g} kg, and its inertia (radius of gyration {:.3g} m) is that of a body "
+        "larger than its meshes ({}): placeholders?",
         body.name, body.mass_kg, gyration_m, Shown(SizeOf(body.box)));
   }
   if (auto dense = DoubtOfDensity(body.name, body.mass_kg, body.box)) return dense;
   const double beside_m = body.box.exteriorDistance(body.com_m);
   if (beside_m > 2 * half_m) {
     return fmt::format(
-        ", link {}: its centre of mass lies {:.3g} m beside what is drawn of it ({}): in mm, or of "
-        "another frame?",
+        ", link {}: its centre of mass lies {:.3g} m outside its meshes ({}): in mm, or in another "
+        "frame?",
         body.name, beside_m, Shown(SizeOf(body.box)));
   }
   if (gyration_m < kPointGyration * half_m) {
     return fmt::format(
         ", link {}: {:.3g} kg, and its inertia (radius of gyration {:.3g} m) is that of a point "
-        "within what is drawn of it ({}): placeholder?",
+        "inside its meshes ({}): placeholder?",
         body.name, body.mass_kg, gyration_m, Shown(SizeOf(body.box)));
   }
   return std::nullopt;

@@ -34,8 +34,8 @@ NodeWear WearOfCylinder(const Wear& wear, const Vec3& soil_albedo);
 /// Whether obstacles of this class can show wear. People, rocks and plants cannot.
 bool IsWorn(SemanticClass label);
 
-/// Colour of the dry soil at the surface at a place. Off the site, that of the nearest place on its
-/// border.
+/// Colour of the dry soil at a place of the surface. A place off the site has the colour of the
+/// nearest place on the border.
 Vec3 SoilAlbedoAt(const Site& site, const Vec2& xy_W_m);
 
 }  // namespace tera

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Interface of what moves the machines of a world: physics or a recording.
+/// Interface of a source of machine motion: physics or a recording.
 class MotionSource {
  public:
   virtual ~MotionSource() = default;

@@ -20,7 +20,7 @@ Operators OperatorsOf(const Scenario& scenario);
 ///
 /// Model   operators choose levers from the state of the machines and the ground at the start of a
 ///         step. While the machines settle, all levers are neutral. PhysicsWorld moves the bodies.
-///         The run ends with InputError if a machine is completely metres below the ground.
+///         The run ends with InputError if all of a machine is metres below the ground.
 class PhysicsMotion : public MotionSource {
  public:
   /// Keeps a reference to `scenario`.

@@ -65,8 +65,8 @@ std::optional<std::string> DoubtOfPlace(std::string_view name, const Vec2& xy_m,
     return std::nullopt;
   }
   return fmt::format(
-      "{} is at ({:.4g}, {:.4g}) m, beside the site, which reaches from ({:.4g}, "
-      "{:.4g}) to ({:.4g}, {:.4g})",
+      "{} is at ({:.4g}, {:.4g}) m, outside the site, which reaches from ({:.4g}, {:.4g}) to "
+      "({:.4g}, {:.4g})",
       name, xy_m.x(), xy_m.y(), low_m.x(), low_m.y(), high_m.x(), high_m.y());
 }
 
@@ -150,7 +150,7 @@ std::vector<std::string> PlacesInDoubt(const Scenario& scenario) {
   for (std::size_t a = 0; a < scenario.machines.size(); ++a) {
     for (std::size_t b = a + 1; b < standing.size(); ++b) {
       if (!AreInOnePlace(standing[a], standing[b])) continue;
-      doubts.push_back(fmt::format("{} and {} begin in one place", names[a], names[b]));
+      doubts.push_back(fmt::format("{} and {} start at the same place", names[a], names[b]));
     }
   }
   return doubts;

@@ -56,7 +56,7 @@ class Rig {
   bool Has(ChannelForm form) const;
   double* WallOf(ChannelForm form) { return &wall_s_[static_cast<std::size_t>(form)]; }
   double WallOf(ChannelForm form) const { return wall_s_[static_cast<std::size_t>(form)]; }
-  /// Calls `what` of each unit with the step.
+  /// Calls the member function `what` of each unit with the step.
   using SamplerStep = void (SensorSampler::*)(const SensedStep&);
   void ForEach(SamplerStep what, const WorldStep& step);
   void SampleWithScene(SamplerStep what, const WorldStep& step);

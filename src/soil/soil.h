@@ -41,8 +41,8 @@ struct SoilType {
   double soil_tool_friction_rad = 0;
   double adhesion_pa = 0;
   double repose_angle_rad = 0;
-  /// Friction of fast flow over that of slow flow: below 1 for dry grains, above 1 for moist
-  /// crumbs.
+  /// Ratio of the friction of fast flow to that of slow flow: below 1 for dry grains, above 1 for
+  /// moist crumbs.
   double fast_flow_friction = 1;
   double young_modulus_pa = 0;
   // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all from one

@@ -28,7 +28,7 @@ std::string_view NameOf(GroundRaster raster);
 struct SoilSample {
   std::uint8_t soil = 0;     ///< index into Soil::soils()
   double density_kgpm3 = 0;  ///< bulk density
-  double compaction = 0;     ///< bulk density over that of the undisturbed soil
+  double compaction = 0;     ///< bulk density / that of the undisturbed soil
   double moisture = 0;       ///< degree of saturation, 0..1
   bool loose = false;        ///< dug or dumped, and not pressed since
 };
@@ -54,7 +54,7 @@ struct SoilVoxels {
   int nx = 0, ny = 0, nz = 0;
   std::vector<double> mass_kg;
   std::vector<float> fill;         ///< share of the cube that is soil, 0..1
-  std::vector<float> compaction;   ///< bulk density over that of the undisturbed soil; 0 in air
+  std::vector<float> compaction;   ///< bulk density / that of the undisturbed soil; 0 in air
   std::vector<float> moisture;     ///< degree of saturation, 0..1
   std::vector<float> loose;        ///< share of the mass that is loose, 0..1
   std::vector<std::uint8_t> soil;  ///< soil with the greatest mass; kNoSoil in air

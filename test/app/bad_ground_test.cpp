@@ -98,9 +98,9 @@ TEST(BadGround, WhatCannotBeRecordedOfTheGroundIsRefused) {
     const std::string scenario = SmallScenario() + "record: " + record + "\n";
     ExpectScenarioRefused(scenario, AllOf(StartsWith(At(scenario, place)), HasSubstr(message)));
   };
-  refused("{terrain: [hight]}", "[hight]", "no raster of the ground (did you mean 'height'?)");
+  refused("{terrain: [hight]}", "[hight]", "not a raster of the ground (did you mean 'height'?)");
   refused("{terrain: [height, height]}", "[height", "names 'height' twice");
-  refused("{pixel_m: 0.25}", "0.25", "no whole multiple of the site's cell of 0.1 m");
+  refused("{pixel_m: 0.25}", "0.25", "not a whole multiple of the site's cell of 0.1 m");
   refused("{every_s: 0}", "0}\n", "every_s: 0 is out of range");
   const std::string box = "{voxels: [{name: pit, low_m: [-1, -1, -1], high_m: HIGH}]}";
   refused(Edited(box, "HIGH", "[1, 1, -2]"), "[1, 1, -2]", "needs to lie above low_m");

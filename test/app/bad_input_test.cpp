@@ -260,7 +260,7 @@ TEST(BadInput, AReplayIsNotWrittenOverItsOwnSource) {
   fs::create_directory(scratch.path() / "run.incomplete");
   WriteWholeFile(scratch.path() / "run.incomplete/INCOMPLETE.txt", "killed");
   const auto message =
-      AllOf(StartsWith("--out "), HasSubstr("run.incomplete, which is the recording"),
+      AllOf(StartsWith("--out "), HasSubstr("run.incomplete, the recording to replay"),
             HasSubstr("another name"), Not(HasSubstr("delete")));
   for (const char* out : {"run", "run/", "./run"}) {
     ExpectRefused(scratch, {"replay", "run.incomplete", "--out", out}, message);

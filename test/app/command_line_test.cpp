@@ -237,8 +237,8 @@ TEST(Compare, APlotThatCannotBeWrittenIsRefusedAndNoPartOfItLeft) {
       RunTera({"compare", "run", "run", "--plot", "no/folder.png"}, {scratch.path()});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err,
-            "no/folder.png: cannot be created: No such file or directory; choose a path whose "
-            "parents are folders\n");
+            "no/folder.png: cannot be created: No such file or directory; choose a path with "
+            "folders as parents\n");
   EXPECT_EQ(Entries(scratch.path()), before);
 }
 

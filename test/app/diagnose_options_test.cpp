@@ -215,10 +215,10 @@ TEST_F(DiagnoseOptions, OutOfTimeSaysSoAndReportsWhatIsDone) {
 
 TEST_F(DiagnoseOptions, ATimeThatIsNotReachedAndALookAtTheClockChangeNothing) {
   const auto free = Diagnosed({});
-  EXPECT_THAT(out_, Not(HasSubstr("search, blocks")));
+  EXPECT_THAT(out_, Not(HasSubstr("search, several blocks")));
   std::filesystem::remove_all(scratch_.path() / "why");
   EXPECT_EQ(Diagnosed({"--time-limit", "500", "--profile"}), free);
-  EXPECT_THAT(out_, AllOf(HasSubstr("search, blocks"), HasSubstr("in all")));
+  EXPECT_THAT(out_, AllOf(HasSubstr("search, several blocks"), HasSubstr("in all")));
 }
 
 TEST_F(DiagnoseOptions, OnATerminalEachBlockHasALineWithWhatCameOfIt) {

@@ -81,7 +81,7 @@ TEST_F(ExportCommand, WhatCannotBeExportedIsRefused) {
   };
   refused({"nothing", "--to", "tum", "--out", "x"}, TellsOf("nothing"));
   refused({"run", "--to", "tum", "--out", "run"}, TellsOf("run"));
-  refused({"run", "--to", "tum", "--out", "run/x"}, HasSubstr("lies inside the recording run"));
+  refused({"run", "--to", "tum", "--out", "run/x"}, HasSubstr("is inside the recording run"));
   refused({"run", "--to", "tum", "--out", "x", "--storage", "mcap"}, TellsOf("--storage"));
   refused({"run", "--to", "rosbag2", "--storage", "sqlite3", "--compression", "lz4", "--out", "x"},
           TellsOf("--compression"));

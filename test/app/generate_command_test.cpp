@@ -149,7 +149,7 @@ TEST_F(GenerateRun, IsNotResumedWithAnotherSeed) {
   const auto before = Entries(path());
   const Outcome resumed = RunTera(Generate("run", {"--resume", "--seed", "6"}), {path()});
   EXPECT_EQ(resumed.status, 2);
-  EXPECT_THAT(resumed.err, HasSubstr("of another scenario, seed or version"));
+  EXPECT_THAT(resumed.err, HasSubstr("has another scenario, seed, version"));
   EXPECT_EQ(Entries(path()), before);
 }
 

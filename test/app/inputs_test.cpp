@@ -112,10 +112,10 @@ class Inputs : public testing::Test {
   void ChangeAndTakeAway(const fs::path& file, const Act& act) const {
     const std::string bytes = ReadWholeFile(file);
     WriteWholeFile(file, bytes + "\n");
-    act("is another file than was recorded: found " + std::to_string(bytes.size() + 1) +
+    act("differs from the recorded file: found " + std::to_string(bytes.size() + 1) +
         " bytes with SHA-256 " + Sha256ByCoreutils(file).substr(0, 12) + "..., need ");
     fs::remove(file);
-    act("is missing; need the file that was recorded, ");
+    act("is missing; need the recorded file, ");
     WriteWholeFile(file, bytes);
   }
 
@@ -180,7 +180,7 @@ TEST_F(Inputs, ChangedOrMissingTheyAreNotReplayed) {
       ExpectRefused({"replay", "whole", "--out", "again"},
                     AllOf(StartsWith("whole/dataset.yaml:"),
                           HasSubstr((site() / file).string() + " " + finding),
-                          HasSubstr("put that file back, or say where it is by --moved")));
+                          HasSubstr("restore that file, or give its place with --moved")));
     });
   }
 }
@@ -239,9 +239,9 @@ TEST_F(Inputs, AMeshThatIsNowFoundElsewhereIsNotReplayed) {
   // Searched from the URDF's folder upwards.
   fs::create_directories(site() / "robot/urdf/robot/meshes");
   WriteWholeFile(site() / "robot/urdf/robot/meshes/upper.obj", Edited(kObj, "0.8", "0.9"));
-  ExpectRefused({"replay", "whole", "--out", "again"},
-                HasSubstr("scenario.yaml: now reads " +
-                          (site() / "robot/urdf/robot/meshes/upper.obj").string()));
+  ExpectRefused(
+      {"replay", "whole", "--out", "again"},
+      HasSubstr("scenario.yaml: reads " + (site() / "robot/urdf/robot/meshes/upper.obj").string()));
 }
 
 TEST_F(Inputs, ThatTeraShipsAreFoundOnAnotherMachine) {

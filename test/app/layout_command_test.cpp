@@ -282,7 +282,7 @@ TEST_F(LayoutCommand, ASensorThatItsOwnMachineHidesIsAWarningAndWithStrictAnErro
         "[-0.5, 0, 0.5]}]\n");
   Write("study.yaml",
         Edited(Edited(kStudy, "frame: mast", "frame: upper"), "rate_hz: 5", "rate_hz: 2"));
-  const auto words = AllOf(HasSubstr("lidar: it sees 0.0 %"), HasSubstr("upper"));
+  const auto words = AllOf(HasSubstr("lidar: it sees only 0.0 %"), HasSubstr("upper"));
   EXPECT_THAT(Succeed(Evaluate("site.yaml", "enclosed.yaml")),
               AllOf(HasSubstr("warning: "), words));
   fs::remove_all(path() / "seen");

@@ -87,8 +87,8 @@ TEST_F(MachineFiles, PlaceholdersAreDoubted) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   // The gyration radius is sqrt(1 / 0.03), half the diagonal 2.47 m.
   EXPECT_THAT(outcome.out, HasSubstr("\nwarning: m1, link upper: 0.03 kg, and its inertia (radius "
-                                     "of gyration 5.77 m) is that of a body larger than what is "
-                                     "drawn of it (4 x 2.5 x 1.5 m): placeholders?\nvalid\n"));
+                                     "of gyration 5.77 m) is that of a body larger than its meshes "
+                                     "(4 x 2.5 x 1.5 m): placeholders?\nvalid\n"));
 }
 
 TEST_F(MachineFiles, AMachineThatTouchesNothingIsToldAndItsRunStops) {

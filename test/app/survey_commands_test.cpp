@@ -151,7 +151,7 @@ TEST_F(SurveyCommands, WhatCannotBeRegisteredEndsWithAStatusOfItsOwn) {
   const Outcome open =
       RunTera({"register", "floor.ply", "floor.ply", "--json", "open.json"}, {scratch_->path()});
   EXPECT_EQ(open.status, 5);
-  EXPECT_THAT(open.out, HasSubstr("the geometry leaves open: x, y, yaw"));
+  EXPECT_THAT(open.out, HasSubstr("not observed by the geometry: x, y, yaw"));
   EXPECT_THAT(open.out, ContainsRegex("1 sigma: x not observed y not observed z 0.0[0-9]+ m, about "
                                       "x 0.0[0-9]+ y 0.0[0-9]+ z not observed deg"));
   const json result = JsonOf(File("open.json"));
@@ -170,11 +170,12 @@ TEST(SurveyInput, ThatCannotBeUsedLeavesNothingBehind) {
     ExpectRefused(scratch, {"site", name, "--out", "site"}, message);
     ExpectRefused(scratch, {"register", name, name, "--json", "pose.json"}, message);
   };
-  refuse("notes.las", "easting northing\n1 2\n", StartsWith("notes.las: does not begin as a LAS"));
+  refuse("notes.las", "easting northing\n1 2\n",
+         StartsWith("notes.las: does not begin with 'LASF'"));
   refuse("notes.txt", "1 2 3\n", HasSubstr("need .pcd, .ply, .las or .tif"));
   refuse("packed.laz", "LASF", HasSubstr("LAZ is compressed"));
   refuse("text.tif", "no raster", StartsWith("text.tif: not readable as a GeoTIFF"));
-  refuse("none.ply", PlyOf({}), HasSubstr("no point has a place"));
+  refuse("none.ply", PlyOf({}), HasSubstr("no point is usable"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse("nan.ply", PlyOf({{nan, 0, 0}, {0, nan, 0}}), HasSubstr("2 without finite coordinates"));
   const std::string whole = PlyOf({{0, 0, 0}, {1, 1, 1}});
@@ -204,7 +205,8 @@ TEST(SurveyWithoutAMap, FarFromItsOriginIsAskedFor) {
   std::vector<Vec3> mm = SmallYard(Vec3::Zero());
   for (Vec3& p : mm) p *= 1000;
   WriteBytes(scratch.path() / "mm.ply", PlyOf(mm));
-  ExpectRefused(scratch, {"site", "mm.ply", "--out", "site"}, HasSubstr("these are millimetres"));
+  ExpectRefused(scratch, {"site", "mm.ply", "--out", "site"},
+                HasSubstr("convert millimetres to metres"));
 }
 
 // The middle is 6 m to the east and 1.2 m above the corner.
@@ -279,7 +281,7 @@ TEST(SurveyInput, ThatDoesNotFitASiteIsRefusedWithWhatToDo) {
   refuse({"coarse.ply", "--cell", "0.05"}, HasSubstr("use --cell 0.5"));
   refuse({"feet.las"}, HasSubstr("need metres"));
   refuse({"degrees.las"}, HasSubstr("reproject it"));
-  refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("leave out --map"));
+  refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("remove --map"));
   refuse({"coarse.ply", "--map", "EPSG:nought"}, HasSubstr("--map: reference system"));
   refuse({"map.las", "--local"}, HasSubstr("--local: the survey is in"));
   refuse({"map.las", "--origin", "47", "8", "400"}, HasSubstr("--origin: the survey is in"));

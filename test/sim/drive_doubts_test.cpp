@@ -82,7 +82,7 @@ TEST(DriveDoubts, NameRunningGearOfAnotherUnitOrSide) {
   EXPECT_THAT(OfYaml("max_speed_mps: 1.1", "max_speed_mps: 40"),
               ElementsAre(HasSubstr("left_track runs at 40 m/s: is its speed in km/h?")));
   EXPECT_THAT(OfYaml("[0, 0.40, 0.19]", "[0, -0.41, 0.19]"),
-              Contains(HasSubstr("left_track lies to the right, at y -0.41 m")));
+              Contains(HasSubstr("left_track is on the right side, at y -0.41 m")));
   EXPECT_THAT(OfYaml("gauge_m: 0.80", "gauge_m: 800"),
               ElementsAre(HasSubstr("gauge_m is 800 m, and its running gear lies 0.8 m apart")));
 }

@@ -90,7 +90,7 @@ TEST(MachineDoubts, AGyrationBeyondWhatIsDrawnCannotBeMeant) {
   EXPECT_THAT(DoubtsWith(upper(183)), IsEmpty());
   EXPECT_THAT(DoubtsWith(upper(185)),
               ElementsAre("m1, link upper: 30 kg, and its inertia (radius of gyration 2.48 m) is "
-                          "that of a body larger than what is drawn of it (2.5 x 4 x 1.5 m): "
+                          "that of a body larger than its meshes (2.5 x 4 x 1.5 m): "
                           "placeholders?"));
 }
 
@@ -138,8 +138,8 @@ TEST(MachineDoubts, ALinkDenserThanAnyMetalIsToldWhereverItIs) {
   };
   EXPECT_THAT(DoubtsWith(upper(299e3)), IsEmpty());
   EXPECT_THAT(DoubtsWith(upper(800e3)),
-              ElementsAre("m1, link upper: 8e+05 kg in 2 x 4 x 1.5 m, denser than any metal: is it "
-                          "drawn too small?"));
+              ElementsAre("m1, link upper: 8e+05 kg in 2 x 4 x 1.5 m, denser than any metal: are "
+                          "its meshes too small?"));
   const std::string block = LinkText("block", 300, 9, R"(<box size="0.2 0.2 0.2"/>)");
   EXPECT_THAT(DoubtsWith(Base() + block + JointText("fixed", "block")),
               ElementsAre(AllOf(HasSubstr("m1, link block: 300 kg"), HasSubstr("denser"))));
@@ -154,7 +154,7 @@ TEST(MachineDoubts, TheInertiaOfAPointIsAPlaceholder) {
   EXPECT_THAT(DoubtsWith(upper(0.31)), IsEmpty());
   EXPECT_THAT(DoubtsWith(upper(0.001)),
               ElementsAre("m1, link upper: 500 kg, and its inertia (radius of gyration 0.00141 m) "
-                          "is that of a point within what is drawn of it (2.5 x 4 x 1.5 m): "
+                          "is that of a point inside its meshes (2.5 x 4 x 1.5 m): "
                           "placeholder?"));
 }
 

@@ -63,11 +63,11 @@ TEST(PlacingDoubts, NameWhatStandsBesideTheSite) {
 
 TEST(PlacingDoubts, NameWhatBeginsInOnePlace) {
   EXPECT_THAT(DoubtsAt("[0, 0]", Truck("[0.3, 0]")),
-              ElementsAre("digger1 and truck1 begin in one place"));
+              ElementsAre("digger1 and truck1 start at the same place"));
   EXPECT_THAT(DoubtsAt("[0, 0]",
                        "  - {name: digger2, machine: tera:config/machines/tb235.yaml, "
                        "start: {xy_m: [0.2, 0.1]}, operator: {type: idle}}\n"),
-              ElementsAre("digger1 and digger2 begin in one place"));
+              ElementsAre("digger1 and digger2 start at the same place"));
 }
 
 // 23.3 m in a second.

@@ -51,9 +51,8 @@ CLI::Validator WholeNumberBetween(int least, int most) {
 void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of) {
   command
       ->add_option("--moved", *moved,
-                   of +
-                       "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, "
-                       "is now at NEW; may be repeated")
+                   of + "OLD=NEW: new place of an input or folder that dataset.yaml lists as OLD; "
+                        "may be repeated")
       ->take_all();
 }
 

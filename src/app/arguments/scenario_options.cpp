@@ -22,13 +22,12 @@ void AddScenarioOptions(CLI::App* command, ScenarioOptions* options) {
       ->take_all();
   command
       ->add_option("--effects", options->effects,
-                   "File with effects to lay over the scenario's; may be repeated")
+                   "File with effects that override the scenario's; may be repeated")
       ->take_all();
-  command->add_flag("--without-meshes", options->without_meshes,
-                    "Leave out meshes that a URDF names and that are not there");
+  command->add_flag("--without-meshes", options->without_meshes, "Skip missing meshes of a URDF");
   command
       ->add_option("--episode", options->episode,
-                   "Which draw of the scenario's randomise: is taken (0)")
+                   "Number of the draw of the scenario's randomise: (0)")
       ->check(WholeNumberFrom0());
 }
 

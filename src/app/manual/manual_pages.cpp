@@ -106,11 +106,10 @@ std::string PageOf(const CommandHelp& program, const CommandHelp& command,
          Section("ARGUMENTS", arguments) + Section("COMMANDS", commands) +
          Section("OPTIONS", options) +
          Section("EXIT STATUS",
-                 ".TP\n0\nAll was done.\n.TP\n1\nThe answer is no (\\fBtera lint\\fR has found "
-                 "something), or the program has a fault of its own.\n.TP\n2\nSomething that was "
-                 "given cannot be used; the message says where, what was found, what is needed "
-                 "and what to do.\n.TP\n3 and more\nWhat the description of a command "
-                 "says.\n") +
+                 ".TP\n0\nSuccess.\n.TP\n1\nThe answer is no (\\fBtera lint\\fR has findings), or "
+                 "the program has an internal error.\n.TP\n2\nAn input cannot be used; the message "
+                 "gives the place, the found value, the required value and the remedy.\n.TP\n3 and "
+                 "more\nSee the description of the command.\n") +
          Section("SEE ALSO", SeeAlso(program, command) + "\n");
 }
 

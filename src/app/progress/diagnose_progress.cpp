@@ -46,7 +46,7 @@ void DiagnoseProgress::Show(const BlockProgress& progress) {
     clock_->AddPart(progress.block, since_s(block_starts_.at(progress.block)));
     block_starts_.erase(progress.block);
     if (block_starts_.empty())
-      clock_->Add("search, blocks beside each other", since_s(search_start_));
+      clock_->Add("search, several blocks at once", since_s(search_start_));
   }
   if (progress.done != nullptr) {
     fmt::print(stderr, "{}{}: {} ({} of {}): {}, {:.0f} s so far{}\n", terminal_ ? "\r" : "",

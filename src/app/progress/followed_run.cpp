@@ -96,7 +96,7 @@ GenerateReport RunWithProgress(const DatasetRun& run, const RunOptions& options)
 void AddRunOptions(CLI::App* command, RunOptions* options) {
   command->add_option("--out", options->out, "Directory of the dataset; new or empty")->required();
   AddHostOptions(command, &options->host);
-  command->add_flag("--resume", options->resume, "Finish a run that was stopped");
+  command->add_flag("--resume", options->resume, "Finish an interrupted run");
 }
 
 void FollowRun(const DatasetRun& run, const RunOptions& options) {

@@ -93,8 +93,8 @@ std::string KubernetesJob(const Plan& plan, const KubernetesOptions& options) {
   for (const fs::path& folder : {plan.folder, plan.campaign.folder}) {
     if (IsBelow(folder, options.mounted_at)) continue;
     throw InputError("--volume", {FaultKind::kInconsistent,
-                                  fmt::format("{} is not below {}, so that no pod sees it; plan "
-                                              "the campaign on the volume, mounted there",
+                                  fmt::format("{} is not below {}, so no pod sees it; plan the "
+                                              "campaign on the volume, mounted there",
                                               folder.string(), options.mounted_at.string())});
   }
   const int episodes = plan.campaign.episodes;

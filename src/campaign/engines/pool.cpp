@@ -135,16 +135,17 @@ class Pool {
       WriteFailure(is_crash
                        ? Failure{FailureReason::kBug, fmt::format("crashed by signal {}", signal)}
                        : Failure{FailureReason::kKilled,
-                                 fmt::format("was killed by signal {}; where memory ran out, run "
-                                             "fewer at once by --processes",
+                                 fmt::format("was killed by signal {}; if memory ran out, run "
+                                             "fewer at once with --processes",
                                              signal)},
                    plan_.FailureFile(number));
       return;
     }
     obstacle_ = InputFault(
         FaultKind::kUnwritable,
-        fmt::format("episode {} met an obstacle of this computer{}; remove it and run again:\n{}",
-                    number, is_full ? ", a full disk" : "", EndOfLog(plan_.LogFile(number))));
+        fmt::format(
+            "episode {} failed because of this computer{}; remove the cause and run again:\n{}",
+            number, is_full ? ", a full disk" : "", EndOfLog(plan_.LogFile(number))));
   }
 
   void Show() const {

@@ -124,7 +124,7 @@ Limits AskLimits() {
   const Answer answer = Ask("scontrol show config");
   if (answer.status != 0) {
     FailSlurm("Slurm does not answer `scontrol show config`: " + answer.text +
-              "; run where its commands and controller are, or without --on");
+              "; run on a host with its commands and controller, or without --on");
   }
   Limits limits;
   for (const std::string& line : LinesOf(answer.text)) {
@@ -147,7 +147,7 @@ class SlurmRun {
                                     // lost
     if (fs::exists(JobsFile())) {
       const Jobs jobs = LinesOf(ReadWholeFile(JobsFile()));
-      Say(fmt::format("waits for jobs {} of a run that was stopped", fmt::join(jobs, ", ")));
+      Say(fmt::format("waits for jobs {} of an interrupted run", fmt::join(jobs, ", ")));
       Wait(jobs);
       AskForMore();
     }
@@ -312,8 +312,8 @@ class SlurmRun {
       return;
     }
     FailSlurm(
-        fmt::format("the controller does not answer; jobs {} go on without it, and the same "
-                    "command later goes on with what is missing then",
+        fmt::format("the controller does not answer; jobs {} continue without it, and the same "
+                    "command later makes the missing episodes",
                     fmt::join(jobs, ", ")));
   }
 
@@ -374,10 +374,9 @@ class SlurmRun {
   }
 
   [[noreturn]] void GiveUp() const {
-    FailSlurm(
-        fmt::format("arrays ended without an episode {} times in a row; look into logs/, and run "
-                    "again{}",
-                    options_.tries, LastObstacle()));
+    FailSlurm(fmt::format(
+        "arrays ended without an episode {} times in a row; check logs/, and run again{}",
+        options_.tries, LastObstacle()));
   }
 
   void Say(const std::string& text) const {

@@ -52,9 +52,8 @@ std::map<int, std::string> PartsOf(const Campaign& campaign,
   }
   if (groups.size() < splits.shares.size()) {
     throw InputError("splits", {FaultKind::kInconsistent,
-                                fmt::format("{} groups of equal values cannot fill {} parts "
-                                            "without one in two; vary the keys of splits.by "
-                                            "more, or name fewer parts",
+                                fmt::format("{} groups of equal values cannot fill {} parts; vary "
+                                            "the keys of splits.by more, or name fewer parts",
                                             groups.size(), splits.shares.size())});
   }
   std::vector<double> lacking;

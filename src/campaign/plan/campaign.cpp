@@ -93,8 +93,9 @@ AcceptanceRule ReadRule(const ConfigMap& entry) {
     entry.Fault("at_most", "no number is in these bounds; need at_least <= at_most");
   }
   if (std::holds_alternative<SeenShare>(rule.figure) && rule.at_least > 1) {
-    entry.Fault("at_least", {FaultKind::kOutOfRange,
-                             fmt::format("{} is no share of frames, need 0 to 1", rule.at_least)});
+    entry.Fault("at_least",
+                {FaultKind::kOutOfRange,
+                 fmt::format("{} is not a share of frames, need 0 to 1", rule.at_least)});
   }
   return rule;
 }
@@ -170,9 +171,8 @@ void ReadDesign(const ConfigMap& config, Campaign* campaign) {
     campaign->factors.push_back(ReadFactor(entry, campaign->design));
     const std::string& key = campaign->factors.back().key;
     if (key == "seed" || key.starts_with("randomise")) {
-      entry.Fault("key", "'" + key +
-                             "' is the campaign's own; write seed or randomise beside "
-                             "factors");
+      entry.Fault("key",
+                  "'" + key + "' belongs to the campaign; write seed or randomise beside factors");
     }
     if (!keys.insert(key).second) {
       entry.Fault("key", {FaultKind::kRepeated, "'" + key + "' is a factor above; write one"});

@@ -171,7 +171,7 @@ std::string Yaml(const PlanText& text) {
 PlanText ReadPlanText(const fs::path& file) {
   if (!fs::exists(file)) {
     throw InputError(file.string(), {FaultKind::kUnreadable,
-                                     "is not there; need the folder of a campaign, which `tera "
+                                     "is missing; need the folder of a campaign that `tera "
                                      "campaign plan CAMPAIGN.yaml --out DIR` makes"});
   }
   const Config config = Config::FromFile(file);
@@ -188,8 +188,8 @@ PlanText ReadPlanText(const fs::path& file) {
   if (text.version != TeraVersion()) {
     throw InputError(file.string(),
                      {FaultKind::kInconsistent,
-                      fmt::format("planned by TERA {}, and this is {}; go on with that version on "
-                                  "every computer, or plan anew in another folder",
+                      fmt::format("planned by TERA {}, but this is {}; use that version on every "
+                                  "computer, or plan anew in another folder",
                                   text.version, TeraVersion())});
   }
   return text;
@@ -232,18 +232,17 @@ Plan MakePlan(const fs::path& file, const fs::path& out) {
   plan.fingerprint = Fingerprint(plan.campaign, text, plan.level_digests);
   if (fs::exists(folder / "plan.yaml")) {
     if (ReadPlanText(folder / "plan.yaml").fingerprint == plan.fingerprint) return plan;
-    throw InputError(folder.string(),
-                     {FaultKind::kInconsistent,
-                      fmt::format("holds another campaign than {} is now; give each campaign a "
-                                  "folder of its own, or put campaign and scenario back as they "
-                                  "were",
-                                  file.string())});
+    throw InputError(
+        folder.string(),
+        {FaultKind::kInconsistent, fmt::format("holds another campaign than {}; give each campaign "
+                                               "its own folder, or restore campaign and scenario",
+                                               file.string())});
   }
   const fs::path copy = folder / "campaign.yaml";
   if (fs::exists(copy) && ReadWholeFile(copy) != text) {
     throw InputError(copy.string(), {FaultKind::kInconsistent,
                                      fmt::format("is another campaign than {}, and planning would "
-                                                 "replace it; name another folder by --out",
+                                                 "replace it; name another folder with --out",
                                                  file.string())});
   }
   CheckSampled(plan.campaign);
@@ -268,14 +267,15 @@ Plan LoadPlan(const fs::path& out) {
 
 void RequireSameScenario(const Plan& plan, int number) {
   const auto fail = [&](const std::string& place, const std::string& finding) {
-    throw InputError(place, {FaultKind::kInconsistent,
-                             fmt::format("{} than when {} was planned; put the files back, or plan "
-                                         "anew in another folder",
-                                         finding, plan.folder.string())});
+    throw InputError(
+        place,
+        {FaultKind::kInconsistent,
+         fmt::format("{} since {} was planned; restore the files, or plan anew in another folder",
+                     finding, plan.folder.string())});
   };
   const std::string text = ReadWholeFile(plan.folder / "campaign.yaml");
   if (Fingerprint(plan.campaign, text, plan.level_digests) != plan.fingerprint) {
-    fail(plan.campaign.scenario.string(), "is another scenario, or has other inputs,");
+    fail(plan.campaign.scenario.string(), "has changed, or its inputs have changed,");
   }
   if (plan.level_digests.empty()) return;
   const std::map<std::string, int> first = FirstEpisodes(plan.campaign, number);
@@ -286,7 +286,7 @@ void RequireSameScenario(const Plan& plan, int number) {
     if (planned == plan.level_digests.end()) continue;
     if (PointDigest(plan.campaign, first.at(level)) == planned->second) continue;
     fail(plan.campaign.factors[f].place,
-         fmt::format("level {} names files that are others", values[f].yaml));
+         fmt::format("files of level {} have changed", values[f].yaml));
   }
 }
 

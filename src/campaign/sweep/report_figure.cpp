@@ -105,7 +105,8 @@ double ReportFigure(const std::filesystem::path& report, const std::string& figu
                     const std::string& place) {
   const Json root = Json::parse(ReadWholeFile(report), nullptr, false);
   if (root.is_discarded()) {
-    throw InputError(report.string(), {FaultKind::kMalformed, "is no JSON; need a report in JSON"});
+    throw InputError(report.string(),
+                     {FaultKind::kMalformed, "is not JSON; need a report in JSON"});
   }
   const Json* node = &root;
   for (const Part& part : PartsOf(figure)) {
@@ -119,7 +120,7 @@ double ReportFigure(const std::filesystem::path& report, const std::string& figu
   }
   if (!node->is_number() || !std::isfinite(node->get<double>())) {
     throw InputError(place,
-                     {FaultKind::kMistyped, fmt::format("'{}' of {} is no number; {}", figure,
+                     {FaultKind::kMistyped, fmt::format("'{}' of {} is not a number; {}", figure,
                                                         report.string(), Remedy(*node, ""))});
   }
   return node->get<double>();

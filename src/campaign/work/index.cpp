@@ -19,7 +19,7 @@ namespace {
 constexpr int kBusyWait_ms = 60'000;  ///< waiting time for another process that updates the index
 
 [[noreturn]] void FailIndex(const fs::path& file, FaultKind kind, const std::string& finding) {
-  throw InputError(file.string(), {kind, finding + "; delete it, and it is made anew"});
+  throw InputError(file.string(), {kind, finding + "; delete it to have it made anew"});
 }
 
 /// A value bound to an SQL statement.
@@ -73,7 +73,7 @@ class Database {
     const int status = sqlite3_errcode(database_.get());
     const std::string why = sqlite3_errmsg(database_.get());
     if (status == SQLITE_NOTADB || status == SQLITE_CORRUPT || status == SQLITE_ERROR) {
-      FailIndex(file_, FaultKind::kMalformed, "is no index of a campaign: " + why);
+      FailIndex(file_, FaultKind::kMalformed, "is not an index of a campaign: " + why);
     }
     throw InputError(file_.string(), {FaultKind::kUnwritable,
                                       fmt::format("cannot be brought up to date: {}; free space "
@@ -123,10 +123,9 @@ EpisodeRecord OwnRecord(const Plan& plan, int number) {
       number < plan.campaign.episodes) {
     return record;
   }
-  throw InputError(file.string(),
-                   {FaultKind::kInconsistent,
-                    "is an episode of another campaign, or has another number; move it away, and "
-                    "`tera campaign run` makes the episode of this place"});
+  throw InputError(file.string(), {FaultKind::kInconsistent,
+                                   "is an episode of another campaign, or has another number; move "
+                                   "it away, and `tera campaign run` makes the right episode"});
 }
 
 void WriteRows(const CampaignState& state, Database* index) {

@@ -27,7 +27,7 @@ double ShareOf(const SeenShare& seen, const Recording& recording) {
     for (const TimeNs t_ns : recording.FrameTimes(camera)) {
       const fs::path file = recording.directory() / camera / "boxes" / fmt::format("{}.json", t_ns);
       if (!fs::exists(file)) {
-        FailRule(file, "is not there; a rule on what is seen needs cameras with labels: true");
+        FailRule(file, "is missing; a rule on seen shares needs cameras with labels: true");
       }
       const std::vector<ObjectBox> boxes = ReadBoxes(file);
       ++frames;
@@ -36,19 +36,18 @@ double ShareOf(const SeenShare& seen, const Recording& recording) {
       });
     }
   }
-  if (frames == 0)
-    FailRule(recording.directory(), "has no frame of the cameras that a rule asks of");
+  if (frames == 0) FailRule(recording.directory(), "has no frame of the cameras that a rule needs");
   return static_cast<double>(with) / static_cast<double>(frames);
 }
 
 double FigureOfColumn(const TableColumn& figure, const Recording& recording) {
   fs::path file = recording.directory() / figure.table;
   if (fs::is_directory(file)) file /= "data.csv";
-  if (!fs::exists(file)) FailRule(file, "is not there, and a rule asks of it");
+  if (!fs::exists(file)) FailRule(file, "is missing, but a rule needs it");
   RowScan scan(file);
   const auto found = std::find(scan.columns().begin(), scan.columns().end(), figure.column);
   if (found == scan.columns().end()) {
-    FailRule(file, fmt::format("has no column '{}', which a rule asks of", figure.column));
+    FailRule(file, fmt::format("has no column '{}', which a rule needs", figure.column));
   }
   const auto column = static_cast<std::size_t>(found - scan.columns().begin());
   double largest = -INFINITY, least = INFINITY, sum = 0, last = 0;
@@ -59,7 +58,7 @@ double FigureOfColumn(const TableColumn& figure, const Recording& recording) {
     least = std::min(least, last);
     sum += last;
   }
-  if (rows == 0) FailRule(file, "has no rows, and a rule asks of them");
+  if (rows == 0) FailRule(file, "has no rows, but a rule needs them");
   switch (figure.figure) {
     case ColumnFigure::kLeast:
       return least;

@@ -145,7 +145,7 @@ class Attempt {
     throw InputError(fmt::format("episode {}", number_),
                      {FaultKind::kInconsistent,
                       fmt::format("all {} draws are refused, by {}; allow more redraws, or draw "
-                                  "what the rules ask for more often",
+                                  "values that meet the rules more often",
                                   refused_.size(), RefusalsInWords())});
   }
   bool IsExhausted() const {
@@ -234,10 +234,9 @@ void RequireWorthRetry(const fs::path& file) {
   if (IsWorthRetry(failure.reason)) return;
   throw InputError(
       file.string(),
-      {FaultKind::kInconsistent,
-       fmt::format("the episode failed before ({}) and would again: {}\n`tera campaign "
-                   "retry --all` lets it be tried",
-                   NameOf(failure.reason), failure.message)});
+      {FaultKind::kInconsistent, fmt::format("the episode failed before ({}) and would fail again: "
+                                             "{}\n`tera campaign retry --all` allows another try",
+                                             NameOf(failure.reason), failure.message)});
 }
 
 }  // namespace
@@ -245,7 +244,7 @@ void RequireWorthRetry(const fs::path& file) {
 bool RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
   if (number < 0 || number >= plan.campaign.episodes) {
     throw InputError("--index", {FaultKind::kOutOfRange,
-                                 fmt::format("{} is no episode of {}, need 0 to {}", number,
+                                 fmt::format("{} is not an episode of {}, need 0 to {}", number,
                                              plan.folder.string(), plan.campaign.episodes - 1)});
   }
   if (fs::exists(plan.EpisodeFolder(number))) return true;

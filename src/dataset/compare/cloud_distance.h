@@ -9,7 +9,7 @@ namespace tera {
 /// Distances of the points of one cloud to another cloud, in metres.
 struct CloudDistances {
   std::vector<double> to_point_m;    ///< to the nearest point
-  std::vector<double> to_surface_m;  ///< to the local surface plane, for points where one is
+  std::vector<double> to_surface_m;  ///< to the local surface plane, for points that have one
                                      ///< defined
 };
 

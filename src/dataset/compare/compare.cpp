@@ -177,10 +177,10 @@ void RequireSomething(const Recording& a, const Recording& b, const Comparison& 
   throw InputError(
       b.directory().string(),
       {FaultKind::kMissing,
-       fmt::format("nothing can be compared: {}need poses of both (truth/<machine>/pose.csv), a "
-                   "receiver of both with fixes, or a channel of one name and type with times in "
-                   "common",
-                   found)});
+       fmt::format(
+           "nothing to compare: {}need poses in both recordings (truth/<machine>/pose.csv), a "
+           "receiver with fixes in both, or a channel of the same name and type with common times",
+           found)});
 }
 
 std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& a,
@@ -197,9 +197,9 @@ std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& 
     throw InputError(
         b.directory().string(),
         {FaultKind::kNoSuchName,
-         fmt::format("has the machines [{}] and {} has [{}]; need one name in common, "
-                     "or one machine in each",
-                     fmt::join(in_b, ", "), a.directory().string(), fmt::join(in_a, ", "))});
+         fmt::format(
+             "has the machines [{}] and {} has [{}]; need one common name, or one machine in each",
+             fmt::join(in_b, ", "), a.directory().string(), fmt::join(in_a, ", "))});
   }
   return matches;
 }
@@ -243,7 +243,7 @@ void AppendTrack(std::string* text, const TrackComparison& track) {
                  e.path_length_a_m > 0 ? 100.0 * e.final_drift_m / e.path_length_a_m : 0.0,
                  is_turned ? fmt::format(", {:.2f} deg", e.final_drift_rad / kDeg) : "");
   if (is_turned && std::min(e.path_length_a_m, e.path_length_b_m) < kTellsHeading_m) {
-    text->append("  a path of less than 1 m does not tell its heading: ignore aligned rotations\n");
+    text->append("  a path below 1 m does not determine the heading: ignore aligned rotations\n");
   }
   for (const std::string& doubt : track.doubts) fmt::format_to(out, "  hint: {}\n", doubt);
 }
@@ -287,7 +287,7 @@ void AddCharts(const Comparison& comparison, const std::string& name, const Trac
                      errors(&PoseErrorSample::translation_m, 1.0, true)});
   if (track.rotation == TrackComparison::Rotation::kNone) return;
   const bool is_all = track.rotation == TrackComparison::Rotation::kAll;
-  charts->push_back({is_all ? "APE, rotation" : "error of the heading", "time in s", "deg", false,
+  charts->push_back({is_all ? "APE, rotation" : "heading error", "time in s", "deg", false,
                      errors(&PoseErrorSample::rotation_rad, kDeg, is_all)});
 }
 
@@ -346,9 +346,10 @@ void PlotComparison(const Comparison& comparison, const std::filesystem::path& p
     }
   }
   if (charts.empty()) {
-    throw InputError(png.string(), {FaultKind::kMissing,
-                                    "the recordings have no poses and no receivers of one machine "
-                                    "in common, so there is nothing to plot"});
+    throw InputError(
+        png.string(),
+        {FaultKind::kMissing,
+         "nothing to plot: the recordings share no poses and no receivers of one machine"});
   }
   const int rows = (static_cast<int>(charts.size()) + kColumns - 1) / kColumns;
   DrawCharts(charts, kColumns, kWidth_px, rows * kRowHeight_px, png);

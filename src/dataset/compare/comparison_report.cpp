@@ -219,9 +219,8 @@ int WriteWorstFrames(const Comparison& comparison, const fs::path& a, const fs::
   std::error_code fault;
   fs::create_directories(folder, fault);
   if (fault || !fs::is_directory(folder) || !fs::is_empty(folder)) {
-    throw InputError(folder.string(),
-                     {fault ? FaultKind::kUnwritable : FaultKind::kInconsistent,
-                      "is not an empty folder that can be written; name a new one"});
+    throw InputError(folder.string(), {fault ? FaultKind::kUnwritable : FaultKind::kInconsistent,
+                                       "is not an empty, writable folder; name a new one"});
   }
   const Recording recording_a(a), recording_b(b);
   int count = 0;

@@ -40,8 +40,8 @@ std::string MountRemark(const Recording& a, const SensorInBoth& both, const Reco
   const double turn_rad = Eigen::AngleAxisd(X_AB.rotation()).angle();
   if (away_m < kSameMount_m && turn_rad < kSameMount_rad) return "";
   return fmt::format(
-      "its mounts differ by {:.3f} m and {:.2f} deg, and what it sees with them; simulate it with "
-      "the mount of the reference",
+      "its mounts differ by {:.3f} m and {:.2f} deg, so its views differ too; simulate it with the "
+      "mount of the reference",
       away_m, turn_rad / kDeg);
 }
 

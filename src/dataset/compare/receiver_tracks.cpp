@@ -94,9 +94,8 @@ std::vector<Shared> MatchAntennas(std::vector<Antenna> a, std::vector<Antenna> b
     for (const Antenna& one : all) list.push_back(one.name);
     return list;
   };
-  remarks->push_back(fmt::format(
-      "receivers [{}] and [{}] have no name in common, so that it is not known which is which",
-      fmt::join(names(a), ", "), fmt::join(names(b), ", ")));
+  remarks->push_back(fmt::format("receivers [{}] and [{}] share no name, so they cannot be matched",
+                                 fmt::join(names(a), ", "), fmt::join(names(b), ", ")));
   return shared;
 }
 
@@ -169,13 +168,13 @@ std::optional<AntennaTracks> TracksOf(const Shared& one, const std::vector<Share
   const std::string& name = one.a.name;
   if (one.a.fixes.empty() || one.b.fixes.empty()) {
     remarks->push_back(fmt::format("{} has no fix in the {}", name,
-                                   one.a.fixes.empty() ? "reference" : "dataset that is judged"));
+                                   one.a.fixes.empty() ? "reference" : "compared dataset"));
     return std::nullopt;
   }
   const bool knows = one.a.p_P_m && one.b.p_P_m;
   if (knows && one.a.link != one.b.link) {
-    remarks->push_back(fmt::format("{} sits on {} in the reference and on {} in the other", name,
-                                   one.a.link, one.b.link));
+    remarks->push_back(fmt::format("{} is mounted on {} in the reference and on {} in the other",
+                                   name, one.a.link, one.b.link));
     return std::nullopt;
   }
   const Vec3 shift_P_m = knows ? Vec3(*one.a.p_P_m - *one.b.p_P_m) : Vec3::Zero();
@@ -189,11 +188,9 @@ std::optional<AntennaTracks> TracksOf(const Shared& one, const std::vector<Share
       IsOnLink(one, one.a.link) ? HeadingOfLink(one.a.link, all) : std::nullopt;
   if (is_moved) {
     remarks->push_back(fmt::format(
-        "{} sits {:.3f} m elsewhere in the other recording by its mount, {}", name,
-        shift_P_m.norm(),
-        heading
-            ? "and is moved to where it sits in the reference"
-            : "and no heading of its link is known by which to move it: the errors contain that"));
+        "the mounts of {} differ by {:.3f} m, {}", name, shift_P_m.norm(),
+        heading ? "and its track is moved to the mount of the reference"
+                : "and the heading of its link is unknown: the errors contain this difference"));
   }
   if (heading) {
     tracks.heading = heading->name;
@@ -216,7 +213,7 @@ ReceiverTracks TracksOfReceivers(const RecordedMachine& a, const RecordedMachine
       MatchAntennas(std::move(antennas_a), std::move(antennas_b), &out.remarks);
   if (!shared.empty() && !of_one_site) {
     out.remarks.push_back(fmt::format(
-        "the origins are {:.0f} km apart: each recording is compared in its own east, north and up",
+        "the origins are {:.0f} km apart: each recording keeps its own east, north and up",
         apart_m / 1e3));
   }
   for (const Shared& one : shared) {

@@ -49,11 +49,11 @@ std::string LengthText(TimeNs length_ns) {
 /// Text such as "by the epochs of both, of UTC; that of b is 3 s after that of a".
 std::string EpochsText(const RecordingEpoch& a, const RecordingEpoch& b, TimeNs shift_ns) {
   const bool is_one_clock = a.clock == b.clock;
-  const std::string clocks =
-      is_one_clock && a.clock != ClockScale::kUnknown ? fmt::format(", of {}", TextOf(a.clock))
-      : a.clock == ClockScale::kUnknown || b.clock == ClockScale::kUnknown
-          ? ", whose clocks are taken as one, though what they count is not known"
-          : ", with the leap seconds between GPS time and UTC";
+  const std::string clocks = is_one_clock && a.clock != ClockScale::kUnknown
+                                 ? fmt::format(", of {}", TextOf(a.clock))
+                             : a.clock == ClockScale::kUnknown || b.clock == ClockScale::kUnknown
+                                 ? ", taken as one clock, because a time scale is unknown"
+                                 : ", with the leap seconds between GPS time and UTC";
   return fmt::format("by the epochs of both{}; {}", clocks,
                      shift_ns == 0
                          ? "they are the same"
@@ -93,20 +93,21 @@ TimeAlignment AlignTimes(const Recording& one, const Recording& other) {
   const auto &a = one.info().epoch, &b = other.info().epoch;
   if (!a && !b && one.info().simulated && other.info().simulated) return {};
   if (!a && !b) {
-    return {.told =
-                "each from its own zero; neither has an epoch, so that it is not known whether "
-                "these are one event"};
+    return {
+        .told =
+            "each from its own zero; neither has an epoch, so the zeros may be different events"};
   }
   if (!a || !b) {
-    return {.told = fmt::format("each from its own zero; {} has an epoch and {} has none, so that "
-                                "it is not known whether these are one event",
+    return {.told = fmt::format("each from its own zero; {} has an epoch and {} has none, so the "
+                                "zeros may be different events",
                                 NameIn(a ? one : other), NameIn(a ? other : one))};
   }
   const TimeNs shift_ns = ZeroOfAfter(*a, *b);
   if (Overlap(one, other, shift_ns)) return {shift_ns, true, EpochsText(*a, *b, shift_ns)};
-  return {.told = fmt::format("each from its own zero; by their epochs, which are {} apart, the "
-                              "recordings have no time in common",
-                              LengthText(shift_ns))};
+  return {
+      .told = fmt::format(
+          "each from its own zero; the epochs are {} apart, so the recordings have no common time",
+          LengthText(shift_ns))};
 }
 
 std::optional<RecordedSpan> TimeInCommon(const Recording& one, const Recording& other) {

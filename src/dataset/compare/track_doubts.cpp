@@ -118,7 +118,7 @@ void DoubtTimes(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns,
       if (!is_in_place && !is_better(&ShiftedError::se2_m, *error, shift_s)) continue;
       const auto member = is_in_place ? &ShiftedError::none_m : &ShiftedError::se2_m;
       doubts->push_back(
-          fmt::format("{} s {}, the second has an APE of {:.3f} m in place of {:.3f} m{}: {}?",
+          fmt::format("{} s {}, the second has an APE of {:.3f} m instead of {:.3f} m{}: {}?",
                       scales.apart_s, shift_s > 0 ? "later" : "earlier", (*error).*member,
                       (*unshifted).*member, is_in_place ? "" : ", SE(2) aligned", scales.text));
     }
@@ -130,8 +130,8 @@ void DoubtFrames(const CommonPlaces& places, std::vector<std::string>* doubts) {
   const double apart_m = (places.b_m.rowwise().mean() - places.a_m.rowwise().mean()).norm();
   if (apart_m < kOfMaps_m) return;
   doubts->push_back(
-      fmt::format("the two lie {:.0f} km apart: coordinates of a map in one, of a site in the "
-                  "other? only aligned errors tell something",
+      fmt::format("the two lie {:.0f} km apart: map coordinates in one, site coordinates in the "
+                  "other? only aligned errors are meaningful",
                   apart_m / 1000));
 }
 

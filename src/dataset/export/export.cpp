@@ -67,8 +67,8 @@ void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   }
   std::error_code ignored;
   if (HoldsSomething(out) || fs::is_symlink(out, ignored)) {
-    throw InputError(out.string(), {FaultKind::kUnwritable,
-                                    "is there already; choose another place or delete it"});
+    throw InputError(out.string(),
+                     {FaultKind::kUnwritable, "exists already; choose another place or delete it"});
   }
   const fs::path inside =
       fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(dataset, ignored));
@@ -76,7 +76,7 @@ void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
     throw InputError(
         out.string(),
         {FaultKind::kUnwritable,
-         fmt::format("lies inside the recording {}; choose a place beside it", dataset.string())});
+         fmt::format("is inside the recording {}; choose a place outside it", dataset.string())});
   }
 }
 
@@ -96,8 +96,8 @@ void RequirePlainPaths(const Recording& recording) {
           (recording.directory() / "dataset.yaml").string(),
           {plain ? FaultKind::kRepeated : FaultKind::kMalformed,
            fmt::format(
-               "the channel '{}' {}; need paths within the recording, each once", channel.path,
-               plain ? "is there twice" : "is no path of a folder or file below the recording")});
+               "the channel '{}' {}; need unique paths within the recording", channel.path,
+               plain ? "occurs twice" : "is not a path of a folder or file below the recording")});
     }
   }
 }

@@ -70,9 +70,10 @@ void RequireAny(const std::vector<std::string>& paths, const ExportJob& job,
   if (!paths.empty()) return;
   throw InputError(
       job.recording.directory().string(),
-      {FaultKind::kMissing, fmt::format("has no {}, of which the format '{}' consists; need a "
-                                        "recording with one, or another format",
-                                        needed, NameOf(job.options.format))});
+      {FaultKind::kMissing,
+       fmt::format(
+           "has no {}, which the format '{}' needs; need a recording with one, or another format",
+           needed, NameOf(job.options.format))});
 }
 
 std::string MachineOf(const std::string& path) {

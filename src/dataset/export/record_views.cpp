@@ -37,8 +37,8 @@ GnssSample GnssOf(const RecordStream& stream, const Record& record) {
   if (std::abs(sample.lat_deg) > 90 || std::abs(sample.lon_deg) > 180 ||
       sample.variance_enu_m2.minCoeff() < 0) {
     stream.Fail(
-        "a latitude, longitude or variance that cannot be; need -90 to 90 deg, -180 to "
-        "180 deg, and variances from 0");
+        "a latitude, longitude or variance is out of range; need -90 to 90 deg, -180 to 180 deg, "
+        "and variances from 0");
   }
   return sample;
 }

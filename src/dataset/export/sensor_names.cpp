@@ -19,11 +19,10 @@ void RequireFlatNamesApart(const std::vector<std::string>& sensors) {
   for (const std::string& sensor : sensors) {
     const auto [other, is_new] = sensor_of.try_emplace(FlatName(sensor), sensor);
     if (is_new) continue;
-    throw InputError(sensor,
-                     {FaultKind::kRepeated,
-                      fmt::format("its files would have the names of those of {}, '{}_...'; "
-                                  "rename one of the two folders",
-                                  other->second, other->first)});
+    throw InputError(
+        sensor, {FaultKind::kRepeated, fmt::format("its files would have the same names as those "
+                                                   "of {}, '{}_...'; rename one of the two folders",
+                                                   other->second, other->first)});
   }
 }
 

@@ -15,8 +15,8 @@ namespace {
                                const std::string& lacks) {
   throw InputError(
       job.recording.directory().string(),
-      {FaultKind::kMissing, fmt::format("where {} was is not known: {}; need a simulated recording "
-                                        "with truth, best made with `record: {{poses_hz: N}}`",
+      {FaultKind::kMissing, fmt::format("the pose of {} is unknown: {}; need a simulated recording "
+                                        "with truth, best with `record: {{poses_hz: N}}`",
                                         sensor, lacks)});
 }
 

@@ -59,13 +59,12 @@ void BeginExport(const std::string& key, ExportFormat format, WholeFolder* folde
     if (!fs::is_regular_file(file, ignored)) {
       throw InputError(folder->temporary().string(),
                        {FaultKind::kUnwritable,
-                        "holds no export that was stopped; choose another place or delete it"});
+                        "holds no interrupted export; choose another place or delete it"});
     }
     if (ReadWholeFile(file) != key) {
-      throw InputError(
-          folder->temporary().string(),
-          "is of another export: the dataset, an option or the program's version is another; "
-          "repeat the command that it was begun with, or delete it to start afresh");
+      throw InputError(folder->temporary().string(),
+                       "belongs to another export: the dataset, an option or the program's version "
+                       "differs; repeat the original command, or delete it to start afresh");
     }
     if (!GoesOnByFrames(format)) folder->Clear();
   }
@@ -77,10 +76,10 @@ void EndExport(const fs::path& folder) { fs::remove(folder / kKeyFile); }
 void RequireNoStoppedExport(const fs::path& out) {
   std::error_code ignored;
   if (!fs::is_regular_file(IncompleteOf(out) / kKeyFile, ignored)) return;
-  throw InputError(IncompleteOf(out).string(),
-                   {FaultKind::kUnwritable,
-                    "an export that was stopped has left it; go on with it by the same command and "
-                    "--resume, or delete it"});
+  throw InputError(
+      IncompleteOf(out).string(),
+      {FaultKind::kUnwritable,
+       "holds an interrupted export; resume it by the same command with --resume, or delete it"});
 }
 
 }  // namespace tera

@@ -81,7 +81,7 @@ BlockFileReader::BlockFileReader(const std::filesystem::path& path)
   left_ = std::filesystem::file_size(path, error);
   if (error) FailReading(path, error.value());
   if (left_ < kMagic.size() || Read(kMagic.size()) != kMagic) {
-    Fail("is no file of compressed blocks of version 1, or is damaged");
+    Fail("is not a file of compressed blocks of version 1, or is damaged");
   }
   header_ = Read(ReadNumber());
 }
@@ -90,7 +90,7 @@ std::optional<Block> BlockFileReader::Next() {
   if (at_end_) return std::nullopt;
   const std::uint32_t streams = ReadNumber();
   if (streams == 0) {
-    if (left_ > 0) Fail("has more behind its end");
+    if (left_ > 0) Fail("has extra bytes after its end");
     at_end_ = true;
     return std::nullopt;
   }
@@ -129,7 +129,7 @@ void BlockFileReader::Fail(std::string_view finding) const {
   throw InputError(
       path_.string(),
       {FaultKind::kMalformed,
-       fmt::format("{}; need it as it was written, from the same version of TERA", finding)});
+       fmt::format("{}; need the original file, from the same version of TERA", finding)});
 }
 
 }  // namespace tera

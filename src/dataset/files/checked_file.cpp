@@ -30,7 +30,7 @@ std::string Remedy(int error_number) {
       return "choose a folder that you may write to";
     case ENOENT:
     case ENOTDIR:
-      return "choose a path whose parents are folders";
+      return "choose a path with folders as parents";
     default:
       return "check the disk and the path";
   }

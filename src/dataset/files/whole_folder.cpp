@@ -45,10 +45,9 @@ void WholeFolder::Commit() {
 
 void RequireNoneStopped(const fs::path& folder) {
   if (!HoldsSomething(IncompleteOf(folder))) return;
-  throw InputError(
-      IncompleteOf(folder).string(),
-      {FaultKind::kUnwritable,
-       "holds what a run that was stopped has left; choose another place or delete it"});
+  throw InputError(IncompleteOf(folder).string(),
+                   {FaultKind::kUnwritable,
+                    "holds the rest of an interrupted run; choose another place or delete it"});
 }
 
 bool HoldsSomething(const fs::path& path) {

@@ -18,8 +18,8 @@ TimeNs ReadSince1970(const ConfigMap& epoch, bool may_lack) {
       std::from_chars(text.data(), text.data() + text.size(), since_1970_ns);
   if (status != std::errc() || stop != text.data() + text.size() || since_1970_ns < 0 ||
       since_1970_ns >= kYear2100_ns) {
-    epoch.Fault(kSince1970, fmt::format("'{}' is no whole number of nanoseconds from 1970 to 2100, "
-                                        "need one, for instance \"1700000000000000000\"",
+    epoch.Fault(kSince1970, fmt::format("'{}' is not a time in whole nanoseconds from 1970 to "
+                                        "2100; need one, for instance \"1700000000000000000\"",
                                         text));
     return 0;
   }
@@ -30,7 +30,7 @@ TimeNs ReadSince1970(const ConfigMap& epoch, bool may_lack) {
 
 std::string_view TextOf(ClockScale clock) {
   if (clock == ClockScale::kUtc) return "UTC";
-  return clock == ClockScale::kGps ? "GPS time" : "a clock that is not known";
+  return clock == ClockScale::kGps ? "GPS time" : "an unknown clock";
 }
 
 std::string EpochYaml(const RecordingEpoch& epoch) {

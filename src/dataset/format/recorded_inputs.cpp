@@ -29,14 +29,13 @@ std::string Shown(std::int64_t bytes, const std::string& sha256) {
 std::optional<InputFault> FaultOf(const RecordedInput& input, const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) {
-    return InputFault(FaultKind::kUnreadable,
-                      fmt::format("is missing; need the file that was recorded, {}",
-                                  Shown(input.bytes, input.sha256)));
+    return InputFault(FaultKind::kUnreadable, fmt::format("is missing; need the recorded file, {}",
+                                                          Shown(input.bytes, input.sha256)));
   }
   const FileDigest now = DigestOf(path);
   if (now.bytes == input.bytes && now.sha256 == input.sha256) return std::nullopt;
   return InputFault(FaultKind::kInconsistent,
-                    fmt::format("is another file than was recorded: found {}, need {}",
+                    fmt::format("differs from the recorded file: found {}, need {}",
                                 Shown(now.bytes, now.sha256), Shown(input.bytes, input.sha256)));
 }
 
@@ -60,7 +59,7 @@ std::vector<RecordedInput> ReadInputs(const ConfigMap& config) {
                         .place = item.Place()};
     if (!IsDigest(input.sha256)) {
       item.Fault("sha256", {FaultKind::kMalformed,
-                            fmt::format("'{}' is no digest, need {} digits of 0-9 and a-f",
+                            fmt::format("'{}' is not a digest, need {} digits of 0-9 and a-f",
                                         input.sha256, kDigits)});
     }
     inputs.push_back(std::move(input));

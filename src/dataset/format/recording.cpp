@@ -203,22 +203,20 @@ std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored)) {
-    throw InputError(
-        directory.string(),
-        {FaultKind::kUnreadable,
-         fs::exists(directory, ignored)
-             ? "is a file; need the folder of a recording, as `tera generate` writes one of a "
-               "scenario and `tera import` one of a log"
-             : "no such folder; name that of a recording"});
+    throw InputError(directory.string(), {FaultKind::kUnreadable,
+                                          fs::exists(directory, ignored)
+                                              ? "is a file; need the folder of a recording that "
+                                                "`tera generate` or `tera import` wrote"
+                                              : "no such folder; name the folder of a recording"});
   }
   if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
     const bool incomplete = WasStopped(directory);
     throw InputError(directory.string(),
                      {FaultKind::kMalformed,
                       fmt::format("is not a complete recording ({}); {}",
-                                  incomplete ? "its run was stopped" : "it has no dataset.yaml",
-                                  incomplete ? "its INCOMPLETE.txt says what to do"
-                                             : "name the folder that holds it")});
+                                  incomplete ? "its run was interrupted" : "it has no dataset.yaml",
+                                  incomplete ? "its INCOMPLETE.txt gives the remedy"
+                                             : "name the folder with dataset.yaml")});
   }
   const Config config = Config::FromFile(directory / "dataset.yaml");
   const ConfigMap root = config.root();
@@ -399,7 +397,7 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   if (!any) {
     throw InputError((directory_ / folder).string(),
                      {FaultKind::kMissing,
-                      fmt::format("there is no image of t_ns {}; data.csv names one", t_ns)});
+                      fmt::format("the image of t_ns {} is missing, but data.csv lists it", t_ns)});
   }
   return frame;
 }

@@ -32,7 +32,7 @@ RowScan::RowScan(const std::filesystem::path& file, OnFault on_fault)
     throw InputError(
         file.string(),
         {FaultKind::kUnreadable,
-         "cannot be read, though dataset.yaml lists it; need the file, or its line taken out"});
+         "cannot be read, but dataset.yaml lists it; restore the file, or remove its line"});
   }
   if (!std::getline(stream_, text_)) Fail("the file is empty; need a header line");
   DropCarriageReturn(&text_);
@@ -45,7 +45,7 @@ RowScan::RowScan(const std::filesystem::path& file, OnFault on_fault)
   std::vector<std::string> names = columns_;
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (twice != names.end()) Fail(fmt::format("column '{}' is there twice; rename one", *twice));
+  if (twice != names.end()) Fail(fmt::format("column '{}' occurs twice; rename one", *twice));
 }
 
 void RowScan::RequireColumns(const std::vector<std::string>& columns) const {
@@ -78,7 +78,7 @@ bool RowScan::Next(ScannedRow* row) {
     DropCarriageReturn(&text_);
     if (Read(row)) return true;
   }
-  if (stream_.bad()) Fail("cannot be read further; look at the disk");
+  if (stream_.bad()) Fail("cannot be read further; check the disk");
   return false;
 }
 
@@ -109,9 +109,9 @@ bool RowScan::Read(ScannedRow* row) {
     }
   }
   if (before_ns_ && *t_ns <= *before_ns_) {
-    return Tell(RowFault::kStamp,
-                fmt::format("t_ns is {}, need a later time than the row before has, {}", *t_ns,
-                            *before_ns_));
+    return Tell(
+        RowFault::kStamp,
+        fmt::format("t_ns is {}, need a later time than the previous row, {}", *t_ns, *before_ns_));
   }
   before_ns_ = *t_ns;
   return true;

@@ -55,8 +55,8 @@ void NeedSame(const fs::path& file, const std::string& now) {
   if (Exists(file) && ReadWholeFile(file) == now) return;
   throw InputError(
       file.string(),
-      fmt::format("the incomplete recording is of another scenario, seed or version, or of other "
-                  "inputs; resume it with what it was begun with, or delete {} to start afresh",
+      fmt::format("the incomplete recording has another scenario, seed, version or other inputs; "
+                  "resume it with the original ones, or delete {} to start afresh",
                   file.parent_path().string()));
 }
 
@@ -167,7 +167,7 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   if (name.empty() || name == "." || name == "..") {
     throw InputError(
         "", {FaultKind::kUnwritable,
-             fmt::format("'{}': names no folder of its own; give the recording's folder a name",
+             fmt::format("'{}': does not name a new folder; give the recording's folder a name",
                          final_directory.string())});
   }
   RequireNothingAt(final_directory);

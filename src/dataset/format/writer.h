@@ -18,7 +18,7 @@ struct WriterOptions {
   std::string kind = "recording";  ///< word for the result in messages and in the note of an
                                    ///< incomplete result
   /// Advice in messages about an incomplete result.
-  std::string remedy = "go on with it by the same command and --resume, or delete it";
+  std::string remedy = "resume it by the same command with --resume, or delete it";
 };
 
 /// Writes a recording. Worker threads encode frames from a bounded queue. The calling thread writes

@@ -294,10 +294,9 @@ double MappedColumn::At(std::size_t row) const {
     if (!table_.IsPresent(row, places_[k])) {
       if (mapping_.may_lack) return std::numeric_limits<double>::quiet_NaN();
       table_.Fail(row, places_[k],
-                  {FaultKind::kMissing,
-                   fmt::format("which is no number; leave such rows out by valid_if: [{{column: "
-                               "{}, present: true}}]",
-                               terms_[k].column)});
+                  {FaultKind::kMissing, fmt::format("which is not a number; exclude such rows with "
+                                                    "valid_if: [{{column: {}, present: true}}]",
+                                                    terms_[k].column)});
     }
     value += terms_[k].factor * NumberOf(row, k);
   }

@@ -48,7 +48,7 @@ void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
 
 CsvFile::CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out)
     : path_(path), numbers_(form.numbers) {
-  RefuseForeignFile(path, "a table in text, a bag or another log that is known");
+  RefuseForeignFile(path, "a text table, a bag or another supported log");
   text_ = std::make_unique<const std::string>(DecodedTable(ReadWholeFile(path)));
   if (text_->empty()) {
     throw InputError(path.string(), {FaultKind::kMissing,
@@ -109,7 +109,7 @@ void CsvFile::ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* 
     const std::string fault = WrongFieldCount(fields.size(), is_last);
     if (left_out == nullptr) {
       FailAtLine(number, {FaultKind::kMalformed,
-                          fault + "; mend it, or leave such rows out by --skip-bad-rows"});
+                          fault + "; repair it, or skip such rows with --skip-bad-rows"});
     }
     left_out->Add(fmt::format("{}:{}: {}", path_.string(), number, fault));
   }
@@ -126,7 +126,7 @@ std::string CsvFile::WrongFieldCount(std::size_t found, bool is_last) const {
   if (header_line_ > 0 && found == 2 * columns_.size() && columns_.size() > 1) {
     fault += "; are commas decimal signs and separators at once? then write it with semicolons";
   }
-  return fault + (is_last ? "; this last line seems to be cut off" : "");
+  return fault + (is_last ? "; this last line seems truncated" : "");
 }
 
 std::size_t CsvFile::Column(const std::string& name) const {
@@ -134,11 +134,11 @@ std::size_t CsvFile::Column(const std::string& name) const {
   if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
   if (const auto first = std::find(columns_.begin(), columns_.end(), name + "#1");
       first != columns_.end()) {
-    FailAtLine(std::max(header_line_, 1),
-               {FaultKind::kRepeated,
-                fmt::format("column '{0}' is there more than once; name one of them: '{0}#1' is "
-                            "field {1}, '{0}#2' the next of that name",
-                            name, first - columns_.begin() + 1)});
+    FailAtLine(
+        std::max(header_line_, 1),
+        {FaultKind::kRepeated, fmt::format("column '{0}' occurs more than once; name one of them: "
+                                           "'{0}#1' is field {1}, '{0}#2' the next of that name",
+                                           name, first - columns_.begin() + 1)});
   }
   FailAtLine(std::max(header_line_, 1),
              {FaultKind::kNoSuchName,
@@ -185,13 +185,13 @@ double CsvFile::Number(std::size_t row, std::size_t column) const {
   if (field.find(',') != std::string_view::npos && numbers_.decimal == '.') {
     Fail(row, column,
          {FaultKind::kMistyped,
-          "need a finite number; where commas are decimal signs say csv: {decimal: \",\"}, where "
-          "they stand between thousands csv: {thousands: \",\"}"});
+          "need a finite number; for decimal commas set csv: {decimal: \",\"}, for commas between "
+          "thousands csv: {thousands: \",\"}"});
   }
   if (row == 0 && header_line_ > 0) {
     Fail(row, column,
          {FaultKind::kMistyped,
-          "need a finite number; where this line holds units say csv: {unit_lines: 1}"});
+          "need a finite number; if this line holds units, set csv: {unit_lines: 1}"});
   }
   Fail(row, column, {FaultKind::kMistyped, "need a finite number"});
 }

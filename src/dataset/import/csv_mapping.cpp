@@ -104,7 +104,7 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
                            : thousands == "blank" ? ' '
                                                   : thousands.front();
   if (form.numbers.thousands == form.numbers.decimal) {
-    config.Fault("thousands", fmt::format("'{}' is the decimal sign already", thousands));
+    config.Fault("thousands", fmt::format("'{}' is already the decimal sign", thousands));
   }
   return form;
 }
@@ -278,17 +278,17 @@ class MappedRows {
   void FailGoingBack(std::size_t row, TimeNs before_ns, TimeNs step_ns) const {
     constexpr TimeNs kManySteps = 10;
     const TimeNs back_ns = before_ns + zero_ns_ - times_.At(row);
-    std::string remedy = "leave such rows out by valid_if or --skip-bad-rows";
+    std::string remedy = "exclude such rows with valid_if or --skip-bad-rows";
     if (const auto turn = times_.TurnAt(row, before_ns + zero_ns_, step_ns)) {
       remedy = fmt::format(
-          "the counter begins anew after {0:.10g}: let it go on by time: {{..., wraps_at: "
-          "{0:.10g}}}",
+          "the counter wraps after {0:.10g}: unwrap it with time: {{..., wraps_at: {0:.10g}}}",
           *turn);
     } else if (table_.Text(row, 0) && step_ns > 0 && back_ns > kManySteps * step_ns) {
       const int line = table_.Line(row);
       remedy = fmt::format(
-          "it goes back by {:.6g} s, as where a logger was started anew or a clock was set: import "
-          "what is before it by csv: {{last_line: {}}}, and the rest by csv: {{first_line: {}}}",
+          "it goes back by {:.6g} s, as after a restart of the logger or a change of the clock: "
+          "import the part before it with csv: {{last_line: {}}}, and the rest with csv: "
+          "{{first_line: {}}}",
           ToSeconds(back_ns), line - 1, line);
     }
     table_.Fail(row, times_.place(),

@@ -68,8 +68,7 @@ void UnwrapAngle(const JointColumns& joint, std::size_t j, std::vector<EncoderSa
   const std::size_t changes = Unwrap(joint.wrap_rad, &angles);
   for (std::size_t i = 0; i < angles.size(); ++i) (*samples)[i].q_rad[j] = angles[i];
   channel->remarks.push_back(
-      fmt::format("{} goes on where its column begins anew after {:.6g} deg, "
-                  "{} time{}",
+      fmt::format("{} is unwrapped where its column wraps after {:.6g} deg, {} time{}",
                   joint.axis.name, joint.wrap_rad / kDeg, changes, changes == 1 ? "" : "s"));
 }
 
@@ -114,13 +113,13 @@ void CountJumps(const std::vector<JointColumns>& joints, const std::vector<Encod
     const std::vector<std::size_t> jumps = JointJumps(joints[j], j, samples);
     if (jumps.empty()) continue;
     const std::size_t first = jumps.front();
-    channel->remarks.push_back(fmt::format(
-        "{} jump{} of {} by more than half a turn, the first at {} from {:.4g} to {:.4g} deg: "
-        "{}give the joint wrap_deg: 360 if its sensor begins anew after a turn",
-        jumps.size(), jumps.size() == 1 ? "" : "s", joints[j].axis.name,
-        PlaceOf(source, rows[first].line), samples[first - 1].q_rad[j] / kDeg,
-        samples[first].q_rad[j] / kDeg,
-        joints[j].rate < 0 ? "its rates there are wrong too; " : ""));
+    channel->remarks.push_back(
+        fmt::format("{} jump{} of {} by more than half a turn, the first at {} from {:.4g} to "
+                    "{:.4g} deg: {}give the joint wrap_deg: 360 if its sensor wraps after a turn",
+                    jumps.size(), jumps.size() == 1 ? "" : "s", joints[j].axis.name,
+                    PlaceOf(source, rows[first].line), samples[first - 1].q_rad[j] / kDeg,
+                    samples[first].q_rad[j] / kDeg,
+                    joints[j].rate < 0 ? "its rates there are wrong too; " : ""));
   }
 }
 
@@ -178,7 +177,7 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
                   JointColumns* joint, std::vector<ColumnMapping>* columns) {
   if (!config.Has("rolled") && !config.Has("stroke")) return false;
   for (const char* key : {"angle", "rate", "travel", "speed", "wrap_deg"}) {
-    if (config.Has(key)) config.Fault(key, "given beside rolled or stroke, which it follows from");
+    if (config.Has(key)) config.Fault(key, "given beside rolled or stroke, which determine it");
   }
   if (config.Has("rolled") && config.Has("stroke")) {
     config.Fault("stroke", "given beside rolled; keep one");
@@ -244,7 +243,7 @@ bool IsMissing(const RowSource& source, const std::vector<MappedRow>& rows, int 
   if (first == rows.end()) return false;
   if (std::all_of(rows.begin(), rows.end(), lacks)) return true;
   throw InputError(
-      fmt::format("{}: has no {}, other messages have; leave such rows out by valid_if: "
+      fmt::format("{}: has no {}, but other messages have; exclude such rows with valid_if: "
                   "[{{column: \"{}\", present: true}}]",
                   PlaceOf(source, first->line), field, field));
 }
@@ -263,8 +262,7 @@ void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
     drop(&joint.angle, "position");
     if (joint.angle < 0 && joint.rate < 0) {
       throw InputError(
-          fmt::format("{}: '{}' has neither position nor velocity; leave it out of "
-                      "joints",
+          fmt::format("{}: '{}' has neither position nor velocity; remove it from joints",
                       PlaceOf(source, rows.front().line), joint.axis.name));
     }
   }
@@ -275,7 +273,7 @@ double ReadWrap(const ConfigMap& config, const JointColumns& joint) {
   const auto wrap_deg = config.OptionalNumber("wrap_deg", Positive("deg"));
   if (!wrap_deg) return 0;
   if (joint.axis.linear || joint.angle < 0) {
-    config.Fault("wrap_deg", "is of a joint that has an angle; leave it out");
+    config.Fault("wrap_deg", "belongs to a joint that already has an angle; remove it");
   }
   return *wrap_deg * kDeg;
 }

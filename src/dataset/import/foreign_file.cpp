@@ -66,9 +66,9 @@ constexpr const char* kBag =
     "--suggest for one";
 
 constexpr Magic kMagics[] = {
-    {0, "version https://git-lfs.github.com/spec/",
-     "a pointer of Git LFS, which stands for the file", "fetch the file itself: git lfs pull"},
-    {0, "/annex/objects/", "a pointer of git-annex, which stands for the file",
+    {0, "version https://git-lfs.github.com/spec/", "a pointer of Git LFS instead of the file",
+     "fetch the file itself: git lfs pull"},
+    {0, "/annex/objects/", "a pointer of git-annex instead of the file",
      "fetch the file itself: git annex get {0}"},
     {0, "\xd4\xc3\xb2\xa1", "a pcap capture of a network", kPacketRemedy},
     {0, "\xa1\xb2\xc3\xd4", "a pcap capture of a network", kPacketRemedy},
@@ -78,7 +78,7 @@ constexpr Magic kMagics[] = {
     {0, ";$FILEVERSION=", "a TRC log of a CAN bus by PEAK", kDecodeCan},
     {0, "***BUSMASTER Ver", "a log of a CAN bus by BUSMASTER", kDecodeCan},
     {0, "MDF     ", "an MDF measurement of ASAM (MF4, DAT)", kMdf},
-    {0, "UnFinMF ", "an MDF measurement of ASAM that was not finished", kMdf},
+    {0, "UnFinMF ", "an unfinished MDF measurement of ASAM", kMdf},
     {0, "TDSm", "a TDMS measurement of NI",
      "write it as CSV first: python3 -c \"from nptdms import TdmsFile; "
      "TdmsFile('{0}').as_dataframe(time_index=True).to_csv('{1}.csv')\""},
@@ -101,10 +101,11 @@ constexpr Magic kMagics[] = {
     {0, "ply\r\n", "a PLY point cloud or mesh", kCloud},
     {0, "\x89MCAP0\r\n", "an MCAP bag", kBag},
     {0, "#ROSBAG V", "a ROS 1 bag", kBag},
-    {0, "SQLite format 3", "a data base of SQLite",
-     "of rosbag2 it is a bag and needs a topic; of others write the table as CSV first: sqlite3 "
-     "-header -csv {0} 'SELECT * FROM TABLE' > {1}.csv"},
-    {0, "ULog\x01\x12\x35", "a ULog of PX4", "name it {1}.ulg, by which tera import knows it"},
+    {0, "SQLite format 3", "an SQLite database",
+     "if it is a rosbag2, name a topic; otherwise write the table as CSV first: sqlite3 -header "
+     "-csv {0} 'SELECT * FROM TABLE' > {1}.csv"},
+    {0, "ULog\x01\x12\x35", "a ULog of PX4",
+     "rename it to {1}.ulg, the extension that tera import reads"},
     {0, "\xa3\x95\x80\x80", "a DataFlash log of ArduPilot",
      "write its messages as CSV first: mavlogdump.py --format csv --types IMU {0} > {1}.csv"},
     {0, "\xb5\x62", "a UBX log of a u-blox receiver", kReceiver},
@@ -230,7 +231,7 @@ std::optional<ForeignFile> TextKind(std::string_view first) {
   if (begin == first.npos) return std::nullopt;
   const std::string start = LowerCase(std::string(first.substr(begin, 16)));
   if (start.starts_with("<!doctype html") || start.starts_with("<html")) {
-    return ForeignFile{"a page in HTML, as of a login or a fault of a server",
+    return ForeignFile{"an HTML page, perhaps of a login or a server error",
                        "download the file itself again"};
   }
   if (start.starts_with("<?xml") || start.starts_with("<gpx") || start.starts_with("<kml")) {

@@ -116,26 +116,24 @@ void RequireReadableEpoch(const ConfigMap& top, const Mapping& mapping, const Fo
   if (mapping.epoch && !top.Map("epoch").Has("since_1970_ns") && !counts_from_1970) {
     throw InputError(top.Map("epoch").Place("since_1970_ns"),
                      {FaultKind::kMissing,
-                      "is missing: the files' times do not count from 1970; need when their zero "
-                      "was, since_1970_ns: \"1700000000000000000\""});
+                      "is missing: the files' times do not count from 1970; need the date of their "
+                      "zero, since_1970_ns: \"1700000000000000000\""});
   }
   if (mapping.epoch && mapping.epoch->since_1970_ns > 0 && counts_from_1970) {
-    throw InputError(top.Map("epoch").Place("since_1970_ns"),
-                     {FaultKind::kInconsistent,
-                      "given beside times that count from 1970 themselves; leave it out"});
+    throw InputError(
+        top.Map("epoch").Place("since_1970_ns"),
+        {FaultKind::kInconsistent, "contradicts times that already count from 1970; remove it"});
   }
   try {
     const Config written = Config::FromText(EpochYaml(*epoch), "epoch");
     ReadEpoch(written.root());
     written.Finish();
   } catch (const InputError&) {
-    throw InputError(
-        top.Place(key),
-        {FaultKind::kOutOfRange,
-         fmt::format(
-             "the recording would begin {:.6g} years after 1970, need 0 to 130: look at the "
-             "unit and the offset of its time",
-             ToSeconds(epoch->since_1970_ns) / (365.25 * 86400))});
+    throw InputError(top.Place(key),
+                     {FaultKind::kOutOfRange,
+                      fmt::format("the recording would begin {:.6g} years after 1970, need 0 to "
+                                  "130: check the unit and the offset of its time",
+                                  ToSeconds(epoch->since_1970_ns) / (365.25 * 86400))});
   }
 }
 
@@ -147,17 +145,18 @@ void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& re
       throw InputError(
           mapping.string(),
           {FaultKind::kInconsistent,
-           fmt::format("times of {} begin {:.0f} s after those of the first channel, as those of "
-                       "two clocks or of an epoch beside none; give one of them a 'time' with the "
-                       "offset in s",
-                       channel.path, ToSeconds(channel.first_ns))});
+           fmt::format(
+               "times of {} begin {:.0f} s after those of the first channel: two clocks, or an "
+               "epoch in one of them only? give one of them a 'time' with the offset in s",
+               channel.path, ToSeconds(channel.first_ns))});
     }
     throw InputError(
         mapping.string(),
         {FaultKind::kMissing,
-         fmt::format("times of {} begin at {:.0f} s, as of an epoch, and a recording's begin near "
-                     "zero; add 'zero: start' to the mapping, or an offset to its time",
-                     channel.path, ToSeconds(channel.first_ns))});
+         fmt::format(
+             "times of {} begin at {:.0f} s and seem to count from an epoch, but a recording "
+             "begins near zero; add 'zero: start' to the mapping, or an offset to its time",
+             channel.path, ToSeconds(channel.first_ns))});
   }
 }
 
@@ -187,15 +186,13 @@ void RequireNoLog(const std::filesystem::path& mapping) {
   std::error_code ignored;
   if (is_yaml || !std::filesystem::exists(mapping, ignored)) return;
   const bool is_log = LooksLikeBag(mapping) || !TypeOfLog(mapping).empty();
-  constexpr const char* kNeed = "a mapping, a YAML file that says what the columns of a log are";
+  constexpr const char* kNeed = "a mapping, a YAML file that describes the columns of a log";
   if (!is_log) RefuseForeignFile(mapping, kNeed);
   if (!is_log && NamesAMachine(mapping)) return;
-  throw InputError(
-      mapping.string(),
-      {FaultKind::kUnsupported,
-       fmt::format("is no mapping; need {}: `tera import --suggest {} > mapping.yaml` writes a "
-                   "first one",
-                   kNeed, mapping.string())});
+  throw InputError(mapping.string(), {FaultKind::kUnsupported,
+                                      fmt::format("is not a mapping; need {}: `tera import "
+                                                  "--suggest {} > mapping.yaml` writes a first one",
+                                                  kNeed, mapping.string())});
 }
 
 }  // namespace

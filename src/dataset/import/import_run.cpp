@@ -82,11 +82,11 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
   }
   clocks_.insert(ClockOf(source));
   if (left_out.count > static_cast<std::int64_t>(rows.size())) {
-    throw InputError(fmt::format(
-        "{}: {} of {} rows cannot be read, more than --skip-bad-rows may leave out (half); the "
-        "first: {}",
-        path, left_out.count, left_out.count + static_cast<std::int64_t>(rows.size()),
-        left_out.first));
+    throw InputError(
+        fmt::format("{}: {} of {} rows cannot be read, more than --skip-bad-rows may skip (half); "
+                    "the first: {}",
+                    path, left_out.count, left_out.count + static_cast<std::int64_t>(rows.size()),
+                    left_out.first));
   }
   channel.left_out = left_out.count;
   channel.first_fault = left_out.first;
@@ -146,17 +146,17 @@ ColumnKeys::ColumnKeys(const ConfigMap& channel, const RowSource& source, std::s
     for (const auto& [pair, count] : NamesInMessages(source.file, *source.topic, source.unpacked)) {
       pairs.push_back(pair.front());
     }
-    channel.Fault("topic", fmt::format("is of {}, which holds many transforms; need the frames "
-                                       "'parent' and 'child' of one; it has {}",
+    channel.Fault("topic", fmt::format("has the type {}, which holds many transforms; need the "
+                                       "frames 'parent' and 'child' of one; it has {}",
                                        type_, fmt::join(pairs, ", ")));
     return;
   }
   if (!source.topic && !StandardColumnOf(type_, key)) {
     channel.Map("columns");  // reports that it is missing
   } else if (!type_.empty() && !StandardColumnOf(type_, key)) {
-    channel.Fault("topic", fmt::format("is of {}; need {}, or 'columns' that say which fields are "
-                                       "what",
-                                       type_, makes));
+    channel.Fault(
+        "topic",
+        fmt::format("has the type {}; need {}, or 'columns' that assign the fields", type_, makes));
   }
 }
 

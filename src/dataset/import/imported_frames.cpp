@@ -19,9 +19,9 @@ std::optional<TimeNs> ImportedFrames::Take(TimeNs stamp_ns, double offset_s,
     LeaveOut(InputError(
         place,
         {FaultKind::kInconsistent,
-         fmt::format("its {} is at {:.6f} s, the one before at {:.6f} s; need a later time, as "
-                     "where a clock was set or a log was joined wrongly; leave such out by "
-                     "--skip-bad-rows, or take another clock by time: {{column: ...}}",
+         fmt::format("its {} is at {:.6f} s, the previous one at {:.6f} s; need a later time: was "
+                     "a clock set, or a log joined wrongly? skip such entries with "
+                     "--skip-bad-rows, or choose another clock with time: {{column: ...}}",
                      of, ToSeconds(t_ns), ToSeconds(t_ns_.back()))}));
     return std::nullopt;
   }
@@ -41,7 +41,7 @@ ImportedChannel* ImportedFrames::Report(const std::filesystem::path& file, std::
     throw InputError(folder_,
                      {FaultKind::kMalformed,
                       fmt::format("{} of {} packets, messages or files cannot be read, more than "
-                                  "--skip-bad-rows may leave out (half); the first: {}",
+                                  "--skip-bad-rows may skip (half); the first: {}",
                                   left_out_.count, pieces, left_out_.first)});
   }
   return run_->AddFrames(folder_, file.filename().string(), t_ns_, left_out_);

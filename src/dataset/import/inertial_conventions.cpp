@@ -103,18 +103,17 @@ void JudgeRates(const std::vector<ImuSample>& samples, std::vector<InertialFindi
     const double fast_radps = Quantile(std::move(sizes), 1 - kShareOfFast);
     if (fast_radps <= kFastestJoint_radps) return;
     if (fast_radps * kDeg > kFastestJoint_radps) {
-      findings->push_back({InertialDoubt::kRatesInDegrees,
-                           fmt::format("a tenth of the rates is beyond {:.3g}, faster than any "
-                                       "joint turns in deg/s too: are they counts? give them their "
-                                       "unit and scale",
-                                       fast_radps)});
+      findings->push_back(
+          {InertialDoubt::kRatesInDegrees,
+           fmt::format("a tenth of the rates is beyond {:.3g}, too fast for a joint even in deg/s: "
+                       "are they counts? give them their unit and scale",
+                       fast_radps)});
       return;
     }
-    findings->push_back(
-        {InertialDoubt::kRatesInDegrees,
-         fmt::format("a tenth of the rates is beyond {:.3g} rad/s, faster than any joint turns: "
-                     "are they in deg/s? give them unit: deg/s",
-                     fast_radps)});
+    findings->push_back({InertialDoubt::kRatesInDegrees,
+                         fmt::format("a tenth of the rates is beyond {:.3g} rad/s, too fast for a "
+                                     "joint: are they in deg/s? give them unit: deg/s",
+                                     fast_radps)});
   }
 }
 
@@ -131,12 +130,11 @@ void JudgeDown(const std::vector<ImuSample>& samples, const Vec3& up_S,
   findings->push_back(
       {InertialDoubt::kZDown,
        is_z ? fmt::format("at rest az is {:.3g} m/s2, about -g: does its z point down? give it "
-                          "rpy_deg: [180, 0, 0], or a mount that says that it hangs upside down",
+                          "rpy_deg: [180, 0, 0], or an upside-down mount",
                           Quantile(std::move(along_z_mps2), 0.5))
-            : fmt::format(
-                  "the specific force is {:.0f} deg from where down is by its mount: are axes and "
-                  "mount right?",
-                  median_rad / kDeg)});
+            : fmt::format("the specific force is {:.0f} deg from the downward direction of its "
+                          "mount: are axes and mount right?",
+                          median_rad / kDeg)});
 }
 
 std::vector<ImuSample> SamplesOf(std::size_t count,
@@ -190,10 +188,11 @@ std::vector<InertialFinding> JudgeLogged(std::size_t count,
         Quantile(away_rad, kMostly) > kMostlyDown_rad) {
       continue;
     }
-    return {{InertialDoubt::kOnItsSide,
-             fmt::format("at rest {} points up: give it rpy_deg: {}, turned on about z until x "
-                         "points forward, or a mount; a unit on an upright arm is as it is",
-                         side.axis, side.rpy_deg)}};
+    return {
+        {InertialDoubt::kOnItsSide,
+         fmt::format("at rest {} points up: give it rpy_deg: {}, with a further turn about z until "
+                     "x points forward, or a mount; for a unit on an upright arm this is correct",
+                     side.axis, side.rpy_deg)}};
   }
   return {};
 }
@@ -207,8 +206,8 @@ std::vector<InertialFinding> JudgeInertial(std::size_t count,
   if (size_mps2 < kMostGravityFree * kStandardGravity_mps2) {
     if (IsInG(samples)) return {};
     return {{InertialDoubt::kNoGravity,
-             fmt::format("the acceleration is {:.2g} m/s2 in the median: was gravity taken away "
-                         "from it? need what the accelerometer measures, {:.2f} m/s2 at rest",
+             fmt::format("the acceleration is {:.2g} m/s2 in the median: was gravity subtracted? "
+                         "need the raw specific force, {:.2f} m/s2 at rest",
                          size_mps2, kStandardGravity_mps2)}};
   }
   std::vector<InertialFinding> findings;

@@ -16,8 +16,8 @@ constexpr TimeNs kDayNs = 86'400 * kNsPerSecond, kWeekNs = 7 * kDayNs;
 constexpr double kFarthest_s = 9e9;  // range of 64-bit nanoseconds
 
 constexpr const char* kNeedDate =
-    "need a date and a time of day as of ISO 8601, 2026-11-28T12:34:56.789Z; where day or month "
-    "stand first say order: dmy or mdy";
+    "need a date and a time of day of ISO 8601, 2026-11-28T12:34:56.789Z; if day or month come "
+    "first, set order: dmy or mdy";
 constexpr const char* kNeedClock = "need a time of day, 12:34:56.789";
 
 std::optional<DateOrder> ReadDateOrder(const ConfigMap& time) {
@@ -82,11 +82,11 @@ RowTime ReadRowTime(const ConfigMap& time, bool has_stamps) {
   if (const auto wraps_at = time.OptionalNumber("wraps_at", Positive(""))) {
     read.wraps_at = *wraps_at;
     if (read.number.column.empty() || !read.number.further.empty() || !read.week.empty()) {
-      time.Fault("wraps_at", "is of a time in one column; leave it out");
+      time.Fault("wraps_at", "applies to a time in one column only; remove it");
     } else if (*wraps_at * std::abs(read.number.factor) > kFarthest_s) {
       time.Fault("wraps_at", {FaultKind::kOutOfRange,
-                              fmt::format("{} is beyond any time, need at most {:.3g}", *wraps_at,
-                                          kFarthest_s / std::abs(read.number.factor))});
+                              fmt::format("{} is too large for a time, need at most {:.3g}",
+                                          *wraps_at, kFarthest_s / std::abs(read.number.factor))});
     }
   }
   return read;
@@ -109,12 +109,12 @@ std::optional<double> TurnOfCounter(double before, double after, double step) {
 
 bool IsTimeToFillIn(const ConfigMap& holder) {
   if (!holder.IsText("time")) return false;
-  holder.Fault("time",
-               {FaultKind::kMissing,
-                fmt::format("'{}' says nothing of the time; need {{column: NAME, unit: s}} (or ms, "
-                            "us, ns), {{date: NAME}} for dates, or {{interval: 20, unit: ms}} "
-                            "where rows have no time",
-                            holder.Text("time"))});
+  holder.Fault(
+      "time",
+      {FaultKind::kMissing,
+       fmt::format("'{}' does not describe a time; need {{column: NAME, unit: s}} (or ms, us, ns), "
+                   "{{date: NAME}} for dates, or {{interval: 20, unit: ms}} if rows have no time",
+                   holder.Text("time"))});
   return true;
 }
 
@@ -137,7 +137,7 @@ TimeNs RowTimes::At(std::size_t row) const {
   if (turns_.empty() || turns_[row] == 0) return t_ns;
   if (__builtin_mul_overflow(turn_ns_, static_cast<TimeNs>(turns_[row]), &turns_ns) ||
       __builtin_add_overflow(t_ns, turns_ns, &t_ns)) {
-    table_.Fail(row, place(), {FaultKind::kOutOfRange, "which begins anew too often"});
+    table_.Fail(row, place(), {FaultKind::kOutOfRange, "which wraps too often"});
   }
   return t_ns;
 }
@@ -165,9 +165,8 @@ TimeNs RowTimes::OfNumber(std::size_t row) const {
   const std::vector<ColumnTerm>& terms = number_.terms();
   if (const auto stamp_ns = table_.Stamp(row, places_.front())) {
     if (terms.front().factor != 1.0) {
-      table_.Fail(
-          row, places_.front(),
-          {FaultKind::kInconsistent, "which is a time already; leave out its unit and scale"});
+      table_.Fail(row, places_.front(),
+                  {FaultKind::kInconsistent, "which is already a time; remove its unit and scale"});
     }
     return *stamp_ns + offset_ns;
   }
@@ -192,8 +191,8 @@ void RowTimes::RefuseTextOfCalendar(std::size_t row, std::size_t place) const {
   }
   table_.Fail(row, place,
               {FaultKind::kMistyped,
-               "which is of the calendar; say time: {date: NAME} of a date with a time of day, "
-               "{date: NAME, clock: NAME} of two columns, {clock: NAME} of a time of day alone"});
+               "which is a calendar time; set time: {date: NAME} for a date with a time of day, "
+               "{date: NAME, clock: NAME} for two columns, {clock: NAME} for a time of day alone"});
 }
 
 std::string_view RowTimes::TextAt(std::size_t row, std::size_t place, const char* need) const {
@@ -201,7 +200,7 @@ std::string_view RowTimes::TextAt(std::size_t row, std::size_t place, const char
   if (!text || SaysNothing(*text)) {
     table_.Fail(
         row, place,
-        {FaultKind::kMissing, fmt::format("{}, or leave such rows out by --skip-bad-rows", need)});
+        {FaultKind::kMissing, fmt::format("{}, or skip such rows with --skip-bad-rows", need)});
   }
   return *text;
 }
@@ -220,8 +219,7 @@ TimeNs RowTimes::OfDate(std::size_t row) const {
   if (!date->has_clock) {
     table_.Fail(row, place,
                 {FaultKind::kMissing,
-                 "which has no time of day; name the column that has it: time: {date: NAME, clock: "
-                 "NAME}"});
+                 "which has no time of day; name its column: time: {date: NAME, clock: NAME}"});
   }
   return date->t_ns - (date->has_zone ? 0 : time_.ahead_ns);
 }
@@ -239,8 +237,8 @@ TimeNs RowTimes::OfGpsWeek(std::size_t row) const {
   if (week < kLeastWeek || week > kMostWeek || week != std::round(week)) {
     table_.Fail(row, place,
                 {FaultKind::kOutOfRange,
-                 "need a week since 1980-01-06, 1024 to 8192; a receiver that counts to 1023 alone "
-                 "leaves out 1024 or 2048 of them"});
+                 "need a week since 1980-01-06, 1024 to 8192; a receiver that counts only to 1023 "
+                 "omits 1024 or 2048 weeks"});
   }
   const TimeNs of_week_ns = OfNumber(row);
   if (of_week_ns < 0 || of_week_ns > kWeekNs) {

@@ -45,7 +45,7 @@ Mat3 ReadAxes(const ConfigMap& config) {
 ColumnMapping ReadFix(const ConfigMap& config) {
   const ColumnMapping fix = ReadColumnMapping(config, Dimension::kNone);
   if (config.Has("constant") && !FixOfQuality(fix.offset)) {
-    config.Fault("constant", fmt::format("{} is no fix; {}", fix.offset, kNeedFix));
+    config.Fault("constant", fmt::format("{} is not a fix; {}", fix.offset, kNeedFix));
   }
   return fix;
 }
@@ -80,12 +80,11 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   }
   for (const GnssColumn column : {kLat, kLon, kAlt, kVarE, kVarN, kVarU}) {
     if (!std::isnan(v[column])) continue;
-    throw InputError(
-        PlaceOf(source, row.line),
-        {FaultKind::kMissing,
-         "has a fix, but its position or variance is no number; leave such rows out by "
-         "valid_if, or give what is missing, for instance columns: {var_e: {constant: "
-         "4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
+    throw InputError(PlaceOf(source, row.line),
+                     {FaultKind::kMissing,
+                      "has a fix, but its position or variance is not a number; exclude such rows "
+                      "with valid_if, or give the missing values, for instance columns: {var_e: "
+                      "{constant: 4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
   }
 }
 
@@ -94,13 +93,13 @@ void RequireNear(const GnssSample& sample, const std::string& where) {
   constexpr double kFarthest_m = 100e3;
   if (sample.enu_m.norm() <= kFarthest_m) return;
   throw InputError(
-      where, {FaultKind::kOutOfRange,
-              fmt::format("is {:.0f} km from the mapping's origin, need at most {:.0f} km; an "
-                          "origin of this row is {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: "
-                          "{:.3f}}}; if the row is wrong, leave it out by valid_if or "
-                          "--skip-bad-rows",
-                          sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg,
-                          sample.lon_deg, sample.alt_m)});
+      where,
+      {FaultKind::kOutOfRange,
+       fmt::format("is {:.0f} km from the mapping's origin, need at most {:.0f} km; this row would "
+                   "give the origin {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}; if the "
+                   "row is wrong, exclude it with valid_if or --skip-bad-rows",
+                   sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg, sample.lon_deg,
+                   sample.alt_m)});
 }
 
 /// Receivers without a fix write latitude 0, longitude 0, where no machine works.
@@ -115,7 +114,7 @@ GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReadin
     throw InputError(
         PlaceOf(source, row.line),
         {FaultKind::kOutOfRange,
-         fmt::format("the fix is {}; {}, or leave such rows out by valid_if", v[kFix], kNeedFix)});
+         fmt::format("the fix is {}; {}, or exclude such rows with valid_if", v[kFix], kNeedFix)});
   }
   GnssSample s;
   s.t_ns = s.t_available_ns = row.t_ns;
@@ -142,7 +141,7 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
     throw InputError(
         PlaceOf(source, row.line),
         {FaultKind::kOutOfRange,
-         fmt::format("the quaternion has norm {}, need 1; leave such rows out by valid_if",
+         fmt::format("the quaternion has norm {}, need 1; exclude such rows with valid_if",
                      q.norm())});
   }
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());

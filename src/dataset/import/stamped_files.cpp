@@ -106,10 +106,12 @@ std::vector<TimeNs> TimesOfFiles(const ConfigMap& channel, const std::vector<fs:
   for (const fs::path& file : files) {
     const auto t_ns = StampOfName(file);
     if (!t_ns) {
-      channel.Fault("times", {FaultKind::kMissing,
-                              fmt::format("is missing: the name {} is no time since 1970; need a "
-                                          "file of one time a line",
-                                          file.filename().string())});
+      channel.Fault(
+          "times",
+          {FaultKind::kMissing,
+           fmt::format(
+               "is missing: the name {} is not a time since 1970; need a file with one time a line",
+               file.filename().string())});
       return {};
     }
     times_ns.push_back(*t_ns);

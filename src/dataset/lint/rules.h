@@ -48,11 +48,11 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Correct the file that the message names."},
 
     {"files.missing", Severity::kError,
-     "Each channel has its data.csv or table, and each frame that data.csv names has its files.",
+     "Each channel has its data.csv or table, and each frame that data.csv lists has its files.",
      "Restore the file, or remove its row or line from the list."},
     {"files.sheet", Severity::kError,
      "Each sensor has a sensor.yaml of the type that dataset.yaml names.",
-     "Write sensor.yaml as docs/reference/dataset.md says."},
+     "Write sensor.yaml as in docs/reference/dataset.md."},
     {"files.extra", Severity::kWarning, "Frame folders hold only frames that data.csv lists.",
      "Delete the extra file, or list it."},
     {"files.unknown", Severity::kWarning,
@@ -63,7 +63,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
 
     {"rows.header", Severity::kError,
      "The first line of a table is t_ns and the columns of the channel's type.",
-     "Write the header as docs/reference/dataset.md says."},
+     "Write the header as in docs/reference/dataset.md."},
     {"rows.fields", Severity::kError,
      "Each row is complete and has one number for each column of the header.",
      "Record or copy the file again; an incomplete last line may be deleted."},
@@ -137,7 +137,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "East, north and up match latitude, longitude and height relative to the dataset's origin.",
      "Check the origin, and that heights are above the ellipsoid."},
     {"gnss.pose", Severity::kWarning,
-     "A receiver lies within reach of its machine's recorded pose.",
+     "A receiver's position is within reach of its machine's recorded pose.",
      "Check the origin and the world of the poses."},
 
     {"pictures.readable", Severity::kError,
@@ -167,7 +167,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Check the signs and order of the flow, the poses and the order of the frames."},
 
     {"boxes.readable", Severity::kError,
-     "Each file of boxes is JSON as docs/reference/dataset.md says.", "Write the file again."},
+     "Each file of boxes is JSON as in docs/reference/dataset.md.", "Write the file again."},
     {"boxes.instance", Severity::kError,
      "A box has the name, class and parent of its instance in dataset.yaml; an instance has one "
      "box at most.",

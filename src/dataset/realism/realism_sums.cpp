@@ -33,8 +33,8 @@ void RequireSize(const std::filesystem::path& folder, const CameraFrame& frame) 
   if (least_px >= kSmallest_px) return;
   throw InputError(
       folder.string(),
-      {FaultKind::kOutOfRange, fmt::format("pictures of {} x {} px found, need at least {} px to a "
-                                           "side for a spectrum; record larger ones",
+      {FaultKind::kOutOfRange, fmt::format("pictures of {} x {} px are too small, need at least {} "
+                                           "px a side for a spectrum; record larger ones",
                                            frame.rgb.width_px, frame.rgb.height_px, kSmallest_px)});
 }
 

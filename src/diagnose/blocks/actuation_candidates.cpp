@@ -25,7 +25,7 @@ constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
 constexpr double kLateToMeasure_s = 0.03;  ///< largest delay of the rate measurement
 constexpr long kMostStepsToMeasure = 10;   ///< upper bound of that delay, in time steps of a replay
-/// delay of the rate behind a slow and a slower valve
+/// Delay of the rate behind a slow and a slower valve.
 constexpr double kLateByLags_s[] = {0.05, 0.08};
 
 /// Lower bounds of frequencies. Slower oscillations last as long as the motion between two changes
@@ -36,7 +36,7 @@ constexpr double kSlowestRing_radps = 3, kSlowestFlex_radps = 2;
 constexpr double kLeastTogether_s = 2;
 constexpr double kMostBent_rad = 0.5;  ///< largest deflection of a flexible link
 
-/// Rates and loads of an axis in the log. They bound the sizes of candidates.
+/// Rates and loads of an axis in the log, as bounds on the sizes of candidates.
 struct Reach {
   double full_rate_radps = 0, slower_rate_radps = 0;  ///< `slower`: in the slower direction
   double largest_load_nm = 0;
@@ -84,8 +84,8 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, const MeasuredRate&
   return reach;
 }
 
-/// Possible delays between a reading of the lever and the change of rate. They cover the
-/// measurement's delay in single steps, and longer delays of drives that lag.
+/// Possible delays between a reading of the lever and the change of rate: the measurement's delay
+/// in single steps, and longer delays of drives that lag.
 std::vector<double> Latenesses_s(double step_s) {
   const long most = std::min(std::lround(kLateToMeasure_s / step_s), kMostStepsToMeasure);
   std::vector<double> late_s;
@@ -214,8 +214,7 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   }
 }
 
-/// Flow candidates of the pump. Their bounds follow from the total demand while functions move
-/// together.
+/// Flow candidates of the pump, with bounds from the total demand while functions move together.
 std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDemand& demand) {
   if (demand.together_s < kLeastTogether_s) return {};
   const Pump& pump = model.pumps[demand.pump];

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// Candidates that are visible in the rate of a joint or running gear. They are the mechanisms of
+/// Candidates that are visible in the rate of a joint or running gear: the mechanisms of
 /// command_timing, lever_map, actuator, kinematic_gain and load_friction. Flow mechanisms of the
 /// axis's pump are added if the axis and another function of the pump move together for long
 /// enough.
@@ -21,8 +21,8 @@ namespace tera {
 /// model already has stay candidates, because their parameters may be wrong. `measured` contains
 /// only new measurements of one sensor.
 ///
-/// Omits   Friction and payload: a rate-controlled motor holds its rate against both. They are
-///         visible only through pressure_droop.
+/// Omits   Friction and payload: a rate-controlled motor holds its rate against both. Only
+///         pressure_droop makes friction and payload visible.
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured,
                                         const std::optional<PumpDemand>& pump);

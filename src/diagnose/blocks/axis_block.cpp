@@ -21,7 +21,7 @@ namespace {
 constexpr std::ptrdiff_t kFewestSamples = 200;
 /// A rate that repeats longer than this without a lever counts as missing.
 constexpr double kLongestRepeat_s = 1;
-constexpr int kLeverLags = 12;  ///< in the flexible regressor
+constexpr int kLeverLags = 12;  ///< number of lags of the lever in the flexible regressor
 constexpr double kLongestLeverLag_s = 0.8;
 /// The drive surely has this share of the model's effort. Samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;
@@ -33,9 +33,9 @@ constexpr double kLeastReturnShare = 0.1;
 constexpr std::size_t kOtherLevers =
     4;  ///< index of the first variable that is the lever of another axis
 constexpr double kMovedLever = 0.05;  ///< another lever counts as moved above this value
-/// Standard deviations of nominal numbers. Two of them bound a nuisance (likelihood.h). Rates: data
-/// sheets are right within 3 %. Full effort over inertia: effort, masses and their positions have
-/// errors of about 3 % each, and inertia is quadratic in position.
+/// Standard deviations of nominal numbers. A nuisance may deviate by two standard deviations
+/// (likelihood.h). Rates: data sheets are right within 3 %. Full effort over inertia: effort,
+/// masses and their positions have errors of about 3 % each, and inertia is quadratic in position.
 constexpr double kNominalRate = 0.015, kNominalEffort = 0.07;
 
 /// True if most samples of the moving axis repeat the previous one exactly. The measurement is then
@@ -50,8 +50,9 @@ bool IsHeld(const std::vector<double>& rate_radps) {
   return 2 * repeated > moving;
 }
 
-/// Samples that are new measurements. In a held rate these are the samples that differ from the
-/// previous one. Rates that repeat for long without a lever are excluded too.
+/// Samples that are new measurements. If the rate is held between measurements, only samples that
+/// differ from the previous one are kept. Rates that repeat for long without a lever are excluded
+/// in any case.
 MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   const bool held = IsHeld(measured.rate_radps);
   MeasuredRate fresh = measured;
@@ -184,7 +185,6 @@ Eigen::MatrixXd NominalColumns(const AxisReplay& replay, const SampleGrid& grid)
   return columns;
 }
 
-/// `variables` are those of VariablesOf.
 Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;

@@ -20,7 +20,7 @@ constexpr double kLeastBand = 0.02, kSpreadShare = 0.2, kLeastLag_s = 0.02;
 /// Static map of one direction: zero up to `dead`, then linear with `gain` up to `limit`.
 struct Ramp {
   double dead = 0, limit = 1, gain = 0;
-  Eigen::VectorXd shape;  ///< at the knots, for a gain of 1
+  Eigen::VectorXd shape;  ///< values at the knots for a gain of 1
   double taken = 0;       ///< energy of the measurement that the ramp explains
 };
 
@@ -44,7 +44,8 @@ const std::vector<Ramp>& RampsBetweenKnots() {
   return shapes;
 }
 
-/// The ramp with positive gain that explains most energy. Its gain is zero if none explains any.
+/// The ramp with positive gain that explains most energy. Returns a ramp with zero gain if none
+/// explains any energy.
 Ramp BestRamp(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull) {
   Ramp best{.shape = Eigen::VectorXd::Zero(kMapKnots)};
   for (const Ramp& ramp : RampsBetweenKnots()) {

@@ -22,12 +22,12 @@ struct AxisChain {
 ///
 /// Model   rate = k(q) G m(u(t - d)). G is a first-order lag, d the delay, and k the cylinder's
 ///         gain or 1. In each direction, m is a ramp from a dead band to a saturation. Lags and
-///         delays are tried on a fixed ladder. For each pair, least squares selects the ramps
-///         between knots. This uses only products of the lever's hat functions with themselves and
-///         with the rate (static_map.h). No replay is needed. Parameters that the ramps do not
-///         determine start with faint effects.
+///         delays are taken from fixed lists. For each pair, least squares selects the ramps
+///         between knots. The least-squares fit needs only products of the lever's hat functions
+///         with themselves and with the rate (static_map.h), and no replay. Parameters that the
+///         ramps do not determine start with faint effects.
 /// Omits   Ramps of both directions that overlap within a lag, except for one correction.
-/// Source  Hammerstein models: Narendra and Gallman 1966. The ladder is searched exhaustively.
+/// Source  Hammerstein models: Narendra and Gallman 1966. The lists are searched exhaustively.
 std::vector<std::vector<Reading>> ReadAxisChain(const AxisChain& chain, const Channel& channel,
                                                 const Mask& seen);
 

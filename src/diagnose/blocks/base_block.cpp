@@ -18,7 +18,7 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestIntervals = 100;
-constexpr int kLags = 4;  ///< of the sides' speeds, in the flexible regressor
+constexpr int kLags = 4;  ///< number of lags of the sides' speeds in the flexible regressor
 constexpr double kLongestLag_s = 0.5;
 /// Friction coefficients. Firm: asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th
 /// ed. 2008, ch. 1). Loose: half of it, an estimate for loose or wet ground.
@@ -175,8 +175,8 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
-/// Changes of the motion of the contact area's middle if the machine turns about another point.
-/// They use the measured yaw rate: one column forward, two to the left.
+/// Changes of the motion of the contact area's middle if the machine turns about another point with
+/// the measured yaw rate. One column is forward, two are to the left.
 ///
 /// Model   turning_centre.h gives the point. On a side slope, the point also moves along the tracks
 ///         until lateral friction holds the machine. This shift is L tan(roll) / (2 mu), with the

@@ -19,9 +19,8 @@ struct BeatOptions {
 /// Finds the strongest periods in the times at which a measured quantity changes. A quantity that a
 /// program sets periodically changes at such times.
 ///
-/// Model   Rayleigh periodogram of the absolute differences between samples, minus their mean. It
-///         covers the minute with most change. Its highest peaks are refined over the whole
-///         recording.
+/// Model   Rayleigh periodogram of the absolute differences between samples, minus their mean, over
+///         the minute with most change. The highest peaks are refined over the whole recording.
 /// Omits   Gradual changes: the phase is that of the start of a change only if the change is
 ///         sudden.
 /// Source  Mardia and Jupp 2000, "Directional statistics", ch. 6 (Rayleigh's statistic).

@@ -13,8 +13,8 @@ namespace tera {
 /// Collects candidate mechanisms of one target.
 ///
 /// Model   A mechanism that the target already has stays a candidate, because its parameters may be
-///         wrong. Its first starting values are small changes of its present values. Those for a
-///         target without it follow. Its bounds include the present values.
+///         wrong. The first starting values are small changes of the present values. The starting
+///         values for a target without the mechanism follow. The bounds include the present values.
 class CandidateList {
  public:
   /// `library` must outlive the candidates.

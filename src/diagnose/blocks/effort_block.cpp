@@ -15,14 +15,14 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestEfforts = 200;
-/// relative standard deviation of inertial effort and weight
+/// Relative standard deviation of inertial effort and weight.
 constexpr double kNominalMass = 0.03;
 /// Quantile of |effort| that counts as the largest effort.
 constexpr double kLargestQuantile = 0.99;
 /// Width of the smoothed sign in the flexible regressor, relative to the largest rate.
 constexpr double kSignWidth = 0.02;
 
-/// Largest effort and rate in the log. They bound the sizes of candidates.
+/// Largest effort and rate in the log, as bounds on the sizes of candidates.
 struct EffortReach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
@@ -103,7 +103,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   return variables;
 }
 
-/// Rate divided by its maximum. It serves as the command that separates manoeuvres.
+/// Rate divided by its maximum, as the command that separates manoeuvres.
 Series CommandOf(const EffortLog& log, double largest_radps) {
   Series command = WholeSeries(log.measured.period_s, log.rate_radps);
   for (double& share : command.value) share /= largest_radps;

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Makes the block of one joint's drive. Its measured effort is compared with the effort that its
-/// measured motion needs.
+/// Makes the block of one joint's drive. The block compares the measured effort with the effort
+/// that the measured motion needs.
 ///
 /// Model   Candidates are friction and offset mechanisms of the slot load_friction. The largest
 ///         effort and rate of the log set their sizes. `asymmetric_friction` is searched for each

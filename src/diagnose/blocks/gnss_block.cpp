@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kEnuColumns = {"/east_m", "/north_m", "/up_m"};
-constexpr std::size_t kMostPositions = 1200;  ///< per receiver
+constexpr std::size_t kMostPositions = 1200;  ///< maximum per receiver
 constexpr double kLargestYaw_deg = 135;       ///< rotation of a pair; half a turn is an exchange
 constexpr double kPlacement_m = 0.01;  ///< standard deviation of an antenna's position on its link
 constexpr double kLeastOffset_m = 1e-3;  ///< least standard deviation of a channel's offset
 /// Below these speeds a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastBoomTurning_radps = 0.02;
-/// half the interval over which velocities are averaged
+/// Half the interval over which velocities are averaged.
 constexpr TimeNs kHalfSpan_ns = 250'000'000;
 /// Delays in the flexible regressor: short ones, and +-18 s between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
@@ -32,8 +32,8 @@ using AxisSeries = std::array<std::vector<double>, 3>;
 
 /// Time grid shared by all receivers of a block.
 struct CommonGrid {
-  std::vector<SampleGrid> of;      ///< per receiver, for its compared samples
-  std::vector<std::size_t> every;  ///< per receiver: every n-th sample is compared
+  std::vector<SampleGrid> of;      ///< grid of each receiver's compared samples
+  std::vector<std::size_t> every;  ///< n of each receiver, if every n-th sample is compared
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -50,7 +50,7 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
-/// Thinning factor per receiver. It is proportional to the number of positions.
+/// Thinning factor per receiver, proportional to the number of positions.
 std::vector<std::size_t> ThinningOf(const GnssLog& log) {
   std::size_t most = 1;
   for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());
@@ -86,10 +86,10 @@ struct ReceiverCourse {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
   std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
-  /// height and horizontal parts of the boom's direction
+  /// Vertical part of the boom's direction, and its east and north components scaled by it.
   std::vector<double> raised, raised_east, raised_north;
   std::array<std::vector<Vec3>, kLate_s.size()>
-      away_m;  ///< per delay: earlier position minus present position
+      away_m;  ///< earlier position minus present position, for each delay
 };
 
 void AddBoom(const ReceiverLog& log, TimeNs t_ns, ReceiverCourse* course) {
@@ -279,7 +279,7 @@ bool Concerns(const SensorDescription& receiver, const Structure& terms) {
 struct ReplayData {
   std::vector<SensorDescription> receivers;
   GnssLog log;
-  /// per receiver: positions under the scenario's effects
+  /// Per receiver: positions under the scenario's effects.
   std::vector<std::vector<Vec3>> documented_m;
 
   std::vector<std::vector<Vec3>> Predict(const Structure& terms) const {

@@ -17,7 +17,7 @@ constexpr std::ptrdiff_t kFewestImuIntervals = 100;
 constexpr std::size_t kQuantities = 6;
 /// Least correlation of successive intervals in a predicted quantity that shows motion.
 constexpr double kLeastCorrelation = 0.3;
-/// a link is at rest if it always turns more slowly
+/// A link is at rest if it always turns more slowly than this.
 constexpr double kLeastLinkTurning_radps = 0.02;
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
@@ -222,8 +222,8 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   return variables;
 }
 
-/// Rates about the three axes, each divided by its maximum. They serve as commands that separate
-/// manoeuvres. At rest, one command covers the whole recording.
+/// Rates about the three axes, each divided by its maximum, as commands that separate manoeuvres.
+/// At rest, one command covers the whole recording.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
     return {WholeSeries(period_s, std::vector<double>(predicted[0].size(), 1.0))};

@@ -13,10 +13,10 @@ namespace tera {
 /// `temperature_drift`, `mount_rotation`, `axis_flip`, `imu_lever_arm`, `clock_offset`, `latency`
 /// and `filter_delay`.
 ///
-/// Model   If the link never turns, the whole recording counts as one command, and only four
-///         candidates remain: `bias`, `temperature_drift`, `mount_rotation` and `axis_flip`.
-///         Measured poses add two candidates: their latency and the tilt of their map
-///         (measured_poses.h).
+/// Model   If the link never turns, the recording is cut into pieces of time instead of manoeuvres.
+///         Only the candidates that are visible at rest remain: `bias`, `temperature_drift`,
+///         `mount_rotation` and `axis_flip`. For a moving link, measured poses add two candidates:
+///         latency of the poses and tilt of the poses' map (measured_poses.h).
 /// Omits   Saturation, outliers, vibration.
 ///
 /// `channel` is the sensor's folder in the recording, "excavator1/imu_boom". Forces are relative to

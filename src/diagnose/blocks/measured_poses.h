@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// Poses of a real recording are measurements, for example from scan registration. They may be
-/// delayed, and other measurements then appear early. The axes of their map follow the machine's
-/// initial attitude, which need not be level. Gravity then appears tilted.
+/// Poses of a real recording are measurements, for example from scan registration. Delayed poses
+/// make other measurements appear early. The axes of the poses' map follow the machine's initial
+/// attitude, which need not be level. Gravity then appears tilted.
 ///
-/// Frames  M map of the poses; L level frame, z up. Both have the same origin. Their axes differ
-///         only in roll and pitch.
+/// Frames  M map of the poses; L level frame, z up. M and L have the same origin. The axes of M and
+///         L differ only in roll and pitch.
 /// Model   Candidates with the target "poses". `latency`: stamps are later than the measurement. A
 ///         sensor whose clock is behind has the same effect. `arrival_stamps`: stamps are uneven
 ///         times of arrival of periodic measurements (pose_times.h). `mount_rotation`: roll and

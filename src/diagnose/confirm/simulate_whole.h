@@ -37,9 +37,10 @@ SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks);
 using SimulateMachine = std::function<SimulatedCourse(
     const SimulatedFindings& found, const TableRecording& levers, const CourseSpan& span)>;
 
-/// Simulates the unchanged scenario for the recording's length, at most ten minutes. None if
+/// Simulates the unchanged scenario for the recording's length, at most ten minutes. Empty if
 /// `simulate` is empty, if the recording has no levers, or if it has no joint, track or base. Time
-/// zero is that of the recording, or its first sample if that is later than 1 s.
+/// 0 of the simulation is time 0 of the recording, or the recording's first sample if this is later
+/// than 1 s.
 std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
                                               const Measurements& measured,
                                               const SimulateMachine& simulate);

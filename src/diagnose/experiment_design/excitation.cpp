@@ -9,17 +9,18 @@
 namespace tera {
 namespace {
 
-/// Travel from the middle of the range, over the range, at most.
+/// Largest travel from the middle of the range, over the range.
 constexpr double kMostTravelShare = 0.45;
-constexpr double kEndlessTravel_s = 4;  ///< at full rate: the range of an axis without ends
+constexpr double kEndlessTravel_s = 4;  ///< travel of an axis without limits, in time at full rate
 constexpr double kShortestStep_s = 0.25, kLongestStep_s = 1.5;
-constexpr double kPause_s = 0.4;  ///< between the moves of an excitation
-constexpr double kRest_s = 1.2;   ///< at the end of an excitation
-constexpr double kRow_s = 0.02;   ///< between the moves of a curve
+constexpr double kPause_s = 0.4;  ///< pause between the moves of an excitation
+constexpr double kRest_s = 1.2;   ///< rest at the end of an excitation
+constexpr double kRow_s = 0.02;   ///< time between the moves of a ramp or wave
 constexpr double kLongestSweep_s = 6;
-constexpr std::size_t kMostHeldAxes = 2;  ///< axes that are held elsewhere in turn
+/// Number of other axes that are moved away from their middle.
+constexpr std::size_t kMostHeldAxes = 2;
 
-/// Moves of one axis, one after another.
+/// Builds an excitation from consecutive moves.
 class Course {
  public:
   explicit Course(std::size_t axis) : axis_(axis) {}
@@ -30,7 +31,7 @@ class Course {
     return *this;
   }
   Course& Rest(double for_s) { return Hold(0, for_s); }
-  /// Moves the lever straight from one value to another.
+  /// Moves the lever linearly from one value to another.
   Course& Ramp(double from, double to, double for_s) {
     const int rows = std::max(1, static_cast<int>(std::lround(for_s / kRow_s)));
     for (int r = 0; r < rows; ++r) Hold(std::lerp(from, to, (r + 0.5) / rows), for_s / rows);
@@ -53,7 +54,8 @@ class Course {
   double t_s_ = 0;
 };
 
-/// For how long a lever may be held from the middle of the range on; none where that is too short.
+/// Time for which a lever can be held from the middle of the range. Returns nothing if it is too
+/// short.
 std::optional<double> HoldTime_s(const AxisRange& range, double lever) {
   const double most_s =
       kMostTravelShare * range.Travel_rad() / (std::abs(lever) * range.full_rate_radps);
@@ -111,7 +113,8 @@ void AddRamps(const AxisRange& range, std::vector<Excitation>* excitations) {
 void AddWaves(const AxisRange& range, std::vector<Excitation>* excitations) {
   for (const double u : {0.3, 0.9}) {
     for (const double hz : {0.5, 1.5}) {
-      // From its end on, a sine of the lever takes the axis to one side alone.
+      // A sine of the lever moves the axis to one side only, because the rate is proportional to
+      // the lever.
       if (u * range.full_rate_radps / (std::numbers::pi * hz) >
           kMostTravelShare * range.Travel_rad())
         continue;

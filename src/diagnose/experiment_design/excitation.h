@@ -7,42 +7,42 @@
 
 namespace tera {
 
-/// A move of one lever to a value that it holds until its next move.
+/// Sets one lever to a value, which it keeps until its next move.
 struct LeverMove {
   double t_s = 0;
-  std::size_t axis = 0;  ///< joints first, then gears
+  std::size_t axis = 0;  ///< joints first, then running gears
   double lever = 0;
 };
 
-/// A short sequence of lever moves that excites one axis. It ends near its starting position, with
-/// all levers in neutral.
+/// A short sequence of lever moves that excites one axis. The axis ends near its starting position,
+/// with all levers in neutral.
 struct Excitation {
-  std::string what;  ///< its text in a description: "steps of 0.25"
+  std::string what;  ///< name in the description of a run: "steps of 0.25"
   std::vector<LeverMove> moves;
-  double length_s = 0;  ///< with the rest at its end
+  double length_s = 0;  ///< including the rest at its end
 };
 
-/// Range and full rate of an axis, in radians, or in metres for a prismatic joint.
+/// Range and full rate of an axis, in rad, or in m for a prismatic joint.
 struct AxisRange {
   std::size_t axis = 0;
   std::string name;
-  double full_rate_radps = 0;                  ///< at full lever
-  std::optional<double> lower_rad, upper_rad;  ///< none for endless rotation
+  double full_rate_radps = 0;
+  std::optional<double> lower_rad, upper_rad;  ///< empty for endless rotation
 
   double Travel_rad() const;
-  /// The middle of the range; `otherwise` without ends.
+  /// Middle of the range. Returns `otherwise` for an axis without limits.
   double Middle_rad(double otherwise) const;
 };
 
-/// Excitations of one axis from the middle of its range and within it. They are steps and reversals
-/// of many sizes, slow ramps through neutral, stairs, sweeps over the whole range, and waves.
-/// Further steps are driven with one of `others` held elsewhere, for another load.
+/// Excitations of one axis around the middle of its range: steps and reversals of several sizes,
+/// slow ramps through neutral, stairs, sweeps over the range, and waves. Further steps run while
+/// one of `others` is away from its middle, which changes the load.
 ///
-/// Model   rates in proportion to the lever. Steps take up to nine twentieths of the range, from
-///         0.25 to 1.5 s. Excitations that need a wider range are left out.
+/// Model   Rates are proportional to the lever. A move from the middle covers at most 0.45 of the
+///         range. Steps last 0.25 to 1.5 s. Excitations that need a wider range are left out.
 std::vector<Excitation> ExcitationsFor(const AxisRange& own, const std::vector<AxisRange>& others);
 
-/// The excitation with the lever of `axis` reversed.
+/// The excitation with all moves of the lever of `axis` reversed.
 Excitation Mirrored(Excitation excitation, std::size_t axis);
 
 }  // namespace tera

@@ -82,9 +82,10 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
 
 namespace {
 
-constexpr std::uint64_t kDraws = 100;  ///< of the noise: power to five per cent
+/// Draws of the noise; they give the power to about five per cent.
+constexpr std::uint64_t kDraws = 100;
 
-/// Whether noise, drawn once, lets the tests discriminate the pair of which these are the gains.
+/// True if the tests discriminate a pair with these gains, for one draw of the noise.
 bool IsDiscriminated(const std::vector<ManoeuvreGain>& seen,
                      const std::vector<ManoeuvreGain>& final, bool is_class, double level) {
   if (!is_class) return GainP(seen) <= level && AreConfirming(final, kConfirmedP);
@@ -142,15 +143,16 @@ double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, cons
 
 namespace {
 
-constexpr double kSecantStep = 0.02;  ///< of a number's range
-constexpr double kPriorSigma = 0.3;   ///< of a number about where it is, in parts of its range
+constexpr double kSecantStep = 0.02;  ///< step of the secants, over a parameter's range
+/// Prior standard deviation of a parameter about its value, over its range.
+constexpr double kPriorSigma = 0.3;
 
 Eigen::VectorXd Predicted(const ReplayBlock& run, const Structure& terms) {
   const std::vector<double> y = run.predict(terms).front();
   return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
-/// Changes of the wrong explanation's prediction by one standard deviation of each of its numbers,
+/// Changes of the alternative's prediction by one standard deviation of each of its parameters,
 /// then of each nuisance.
 Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
                           const Eigen::VectorXd& predicted) {

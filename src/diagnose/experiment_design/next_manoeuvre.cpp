@@ -17,25 +17,26 @@
 namespace tera {
 namespace {
 
-constexpr double kAxis_s = 34;          ///< of levers for one joint or gear
-constexpr std::size_t kMostAxes = 3;    ///< that one run is for
-constexpr double kMargin = 0.05;        ///< of the range, kept free on either side
-constexpr double kLeastTravel_s = 0.8;  ///< of an axis at full rate, though the recording had less
-constexpr double kFromStop_rad = 0.05;  ///< of a joint's own limits
-constexpr double kReturnLever = 0.4;    ///< on the way back to the middle of a range
+constexpr double kAxis_s = 34;          ///< time for the excitations of one axis
+constexpr std::size_t kMostAxes = 3;    ///< largest number of axes in one run
+constexpr double kMargin = 0.05;        ///< free margin at either end, over the range
+constexpr double kLeastTravel_s = 0.8;  ///< least travel of the range, in time at full rate
+constexpr double kFromStop_rad = 0.05;  ///< distance to a joint's own limits
+constexpr double kReturnLever = 0.4;    ///< for returns to the middle of a range
 constexpr double kReturnRest_s = 0.8;
 constexpr double kShortestReturn_s = 0.05;           ///< a shorter way back is not driven
 constexpr double kFirstRest_s = 1, kLastRest_s = 4;  ///< the last shows slow noise
 constexpr double kClassWeight = 3;  ///< of a pair of a class, over one of a mechanism not seen
 /// Least power at which an ambiguity set counts as discriminated.
 constexpr double kLeastPower = 0.5;
-constexpr std::size_t kMostKindsListed = 4;  ///< of excitations, in a description
-/// Commanded manoeuvres of TRAIN with SELECT, and of FINAL, up to which steps are added: about
-/// twice what a diagnosis needs.
+constexpr std::size_t kMostKindsListed = 4;  ///< kinds of excitations named in a description
+/// Number of commanded manoeuvres, in TRAIN with SELECT and in FINAL, at which no more steps are
+/// added: about twice the number that a diagnosis needs.
 constexpr std::size_t kAmpleSeen = 12, kAmpleFinal = 5;
 constexpr std::size_t kMostSteps = 12;  ///< added to one axis
 
-/// Whether more manoeuvres are commanded than a diagnosis needs, for they are shared out at random.
+/// True if there are more commanded manoeuvres than a diagnosis needs. The surplus allows for their
+/// random assignment to parts.
 bool HasAmpleManoeuvres(const std::vector<Manoeuvre>& manoeuvres) {
   std::size_t seen = 0, final = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres) {
@@ -44,12 +45,13 @@ bool HasAmpleManoeuvres(const std::vector<Manoeuvre>& manoeuvres) {
   return seen >= kAmpleSeen && final >= kAmpleFinal;
 }
 
-/// An axis that a diagnosis left ambiguous, and its range.
+/// An axis with open hypotheses, and its range.
 struct AmbiguousAxis {
   AxisRange range;
   DiagnosedAxis diagnosed;
   std::vector<AmbiguitySet> ambiguity_sets;
-  /// Classes come first, then blocks that could not be judged, then mechanisms not seen.
+  /// Order of axes: first ambiguous findings, then blocks that could not be judged, then
+  /// undetectable mechanisms.
   int Rank() const {
     const bool has_class = std::any_of(ambiguity_sets.begin(), ambiguity_sets.end(),
                                        [](const AmbiguitySet& set) { return set.is_class; });
@@ -64,8 +66,8 @@ const RegimeVariable* PositionOf(const ReplayBlock& block) {
   return nullptr;
 }
 
-/// The range in which a recording moved an axis, and at least what full lever does in
-/// `kLeastTravel_s`, within the joint's own limits.
+/// Recorded range of an axis, widened to the travel of kLeastTravel_s at full rate, within the
+/// joint's own limits.
 AxisRange AxisRangeOf(const MachineModel& model, const ReplayBlock& block, std::size_t axis) {
   AxisRange range{axis, block.name, 0, {}, {}};
   if (axis >= model.joints.size()) {
@@ -97,7 +99,7 @@ AxisRange AxisRangeOf(const MachineModel& model, const ReplayBlock& block, std::
   return range;
 }
 
-/// The machine with the effects that were found of joints, gears and their pumps.
+/// The machine with the found effects of joints, running gears and their pumps.
 MachineModel AsFound(MachineModel model, const std::vector<DiagnosedAxis>& blocks) {
   for (const DiagnosedAxis& one : blocks) {
     if (AxisNamed(model, one.block->name) < 0) continue;
@@ -106,7 +108,7 @@ MachineModel AsFound(MachineModel model, const std::vector<DiagnosedAxis>& block
   return model;
 }
 
-/// Designs one run: chooses excitations for each axis and drives them one after another.
+/// Designs one run: it chooses excitations for each axis and appends them one after another.
 class Designer {
  public:
   Designer(const MachineModel& model, const std::vector<DiagnosedAxis>& blocks,
@@ -134,8 +136,8 @@ class Designer {
   const Stream& stream_;
   std::vector<AxisRange> ranges_;
   std::vector<AmbiguousAxis> open_;
-  std::vector<double> at_rad_;    ///< where the joints are by now
-  std::vector<LeverMove> moves_;  ///< of the whole run so far
+  std::vector<double> at_rad_;    ///< predicted positions at the end of the run so far
+  std::vector<LeverMove> moves_;  ///< lever moves of the run so far
   double length_s_ = kFirstRest_s;
 };
 
@@ -152,7 +154,7 @@ void Designer::FindAmbiguousAxes(const std::vector<DiagnosedAxis>& blocks) {
   });
 }
 
-/// The excitations of an axis that are worth driving, from the middle of its range.
+/// Chooses excitations of an axis, predicted from the middle of all ranges.
 std::vector<Excitation> Designer::Chosen(const AmbiguousAxis& axis) const {
   std::vector<AxisRange> others;
   for (const AxisRange& range : ranges_) {
@@ -204,19 +206,18 @@ std::vector<Excitation> Designer::Chosen(const AmbiguousAxis& axis) const {
   return chosen;
 }
 
-/// Whether a run stays within all ranges.
+/// True if a run stays within all ranges.
 bool Designer::Stays(const PredictedRun& run) const {
   return std::all_of(ranges_.begin(), ranges_.end(), [&](const AxisRange& range) {
     if (!range.lower_rad || range.axis >= run.lowest_rad.size()) return true;
-    // An axis that is beyond its range already may move, but not further out.
+    // An axis already outside its range may move, but not further out.
     const double low = std::min(*range.lower_rad, at_rad_[range.axis]);
     const double high = std::max(*range.upper_rad, at_rad_[range.axis]);
     return run.lowest_rad[range.axis] >= low && run.highest_rad[range.axis] <= high;
   });
 }
 
-/// Moves an axis to the middle of its range, by the lever and for as long as its full rate asks
-/// for.
+/// Moves an axis to the middle of its range. The duration assumes its full rate.
 void Designer::GoToMiddle(const AxisRange& range) {
   if (!range.lower_rad) return;
   const double away_rad = range.Middle_rad(0) - at_rad_[range.axis];
@@ -236,7 +237,8 @@ void Designer::GoToMiddle(const AxisRange& range) {
 }
 
 /// Tries an excitation as it is, then mirrored, then after moves to the middle of the ranges.
-/// Appends the first that stays within the ranges. If none does, only those moves are appended.
+/// Appends the first that stays within the ranges. If none does, it appends only the moves to the
+/// middle.
 void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
   const auto predicted = [&](const Excitation& one) {
     return PredictRun(found_, one.moves, one.length_s, at_rad_);
@@ -266,7 +268,7 @@ void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
   at_rad_ = run.end_rad;
 }
 
-/// The block of an axis over the whole run as it is so far, with the rest at its end.
+/// Block of an axis over the run so far, with the rest at its end.
 std::optional<ReplayBlock> Designer::RunSoFar(const AmbiguousAxis& axis) const {
   std::vector<double> start_rad;
   for (const Joint& joint : nominal_.joints) start_rad.push_back(joint.initial_rad);
@@ -275,8 +277,8 @@ std::optional<ReplayBlock> Designer::RunSoFar(const AmbiguousAxis& axis) const {
   return BlockOf(nominal_, whole, axis.range.axis);
 }
 
-/// Adds steps until a diagnosis has ample manoeuvres: a recording of too few is not judged, however
-/// much they say.
+/// Adds steps until a diagnosis has ample manoeuvres. A recording with too few is not judged,
+/// however informative they are.
 void Designer::AddManoeuvres(const AmbiguousAxis& axis) {
   std::vector<Excitation> steps = ExcitationsFor(axis.range, {});
   std::erase_if(steps,
@@ -286,12 +288,12 @@ void Designer::AddManoeuvres(const AmbiguousAxis& axis) {
     if (!run || HasAmpleManoeuvres(ManoeuvresOf(*run, stream_))) {
       return;
     }
-    // The larger half of the steps, in turn.
+    // Only the larger half of the steps, in turn.
     Drive(steps[steps.size() - 1 - k % ((steps.size() + 1) / 2)], axis);
   }
 }
 
-/// Sorts an axis' sets into those that the run discriminates and the others.
+/// Sorts the ambiguity sets of an axis into discriminated and other ones.
 void Designer::Judge(const AmbiguousAxis& axis, NextManoeuvre* out) const {
   const auto run = RunSoFar(axis);
   const NoiseModel& noise = axis.diagnosed.diagnosis->noise.front();

@@ -10,9 +10,10 @@
 namespace tera {
 namespace {
 
-constexpr double kLoadPeriod_s = 0.05;  ///< in which the weight's load on joints hardly changes
-/// Amplitude of a tremor that keeps samples of a rate from being equal. An encoder that repeats
-/// itself to the bit would seem to pass on old values.
+/// The load of the links' weight on joints hardly changes in this time.
+constexpr double kLoadPeriod_s = 0.05;
+/// Amplitude of a tremor that keeps consecutive rates from being equal. Equal rates would count as
+/// samples that an encoder holds.
 constexpr double kTremor_radps = 1e-9;
 
 std::size_t AxesOf(const MachineModel& model) {
@@ -41,7 +42,7 @@ class LeversOverTime {
   std::size_t next_ = 0;
 };
 
-/// Commands with a row wherever a lever moves, neutral at the beginning and the end.
+/// Commands with a row at each lever move. All levers are in neutral at the end.
 TableRecording CommandsOf(const MachineModel& model, const std::vector<LeverMove>& moves,
                           double length_s) {
   TableRecording table;

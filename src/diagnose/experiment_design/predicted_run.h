@@ -15,8 +15,8 @@ namespace tera {
 /// A future run of levers, predicted in the form of a recording.
 struct PredictedRun {
   TableRecording commands;
-  NamedEncoders encoders;       ///< of all joints and gears
-  std::vector<double> end_rad;  ///< positions of the joints at its end
+  NamedEncoders encoders;       ///< measurements of all joints and running gears
+  std::vector<double> end_rad;  ///< joint positions at the end
   std::vector<double> lowest_rad, highest_rad;
   double length_s = 0;
 };
@@ -31,10 +31,10 @@ PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>&
                         double length_s, std::vector<double> start_rad,
                         double period_s = kReplayStep_s);
 
-/// Runs joined in time, each from its own positions.
+/// Runs joined in time. Each run starts from its own positions.
 PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
 
-/// The block of an axis over a predicted run; none if the run is too short.
+/// Block of an axis over a predicted run. Returns nothing if the run is too short.
 std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
                                    std::size_t axis);
 

@@ -33,7 +33,7 @@ class SegmentLinearisation {
  public:
   SegmentLinearisation(const MotionProblem& problem, const UniformSpline& spline,
                        const SegmentMotion& motion, const Eigen::VectorXd& parameters);
-  /// Fills `out`. False where the spline does not cover the time of the observation.
+  /// Fills `out`. False if the spline does not cover the time of the observation.
   bool Of(const Observation& observation, LinearisedObservation* out) const;
 
  private:

@@ -28,7 +28,7 @@ struct MotionAt {
     const auto n = static_cast<std::size_t>(number);
     return n < problem.acceleration_gains.size() ? problem.acceleration_gains[n] : kNoParameter;
   }
-  /// Factor on the acceleration of a coordinate in inertial units.
+  /// Factor on the acceleration along a coordinate, as inertial units measure it.
   double Share(int number) const { return 1 + Parameter(GainOf(number)); }
   /// Column in `by_state` of a derivative of a coordinate.
   int Column(int number, int derivative) const { return derivative * columns() + number; }

@@ -53,7 +53,7 @@ struct ReceiverChannel {
 
 /// An encoder of one joint: reads scale q + bias.
 struct AxisChannel {
-  int number = kBaseNumbers;  ///< coordinate of the motion that it reads
+  int number = kBaseNumbers;  ///< coordinate of the motion that the encoder reads
   int bias = kNoParameter, scale = kNoParameter, late = kNoParameter;
   int noise = 0;
 };
@@ -72,13 +72,9 @@ enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRe
 
 /// Numbers measured over a time span, in seconds of the segment's spline. Contents of `value`:
 ///
-///   kImu: turn rates and specific forces.
-///   kReceiver: position.
-///   kAxis: angle.
-///   kPose: position, then roll, pitch, yaw.
-///   kTravel: forward speed and yaw rate from the running gear.
-///   kStill: none; the base stands.
-///   kRest: none; the coordinate `channel`, which no encoder measures, stands.
+///   kImu: turn rates and specific forces. kReceiver: position. kAxis: angle. kPose: position, then
+///   roll, pitch, yaw. kTravel: forward speed and yaw rate from the running gear. kStill: none; the
+///   base is at rest. kRest: none; the coordinate `channel`, which no encoder measures, is at rest.
 ///   kGround: height, roll and pitch of a base on the ground.
 struct Observation {
   ObservationKind kind = ObservationKind::kAxis;
@@ -104,7 +100,7 @@ struct NoiseChannel {
   double least = 0;      ///< lower limit of sigma, from the data sheet
   double at_first = 1;   ///< sigma of the first, unweighted iterations
   double sigma = 1;      ///< scale of Student's t
-  double inflation = 1;  ///< variance of a mean over that of independent errors
+  double inflation = 1;  ///< variance of a mean / variance for independent errors
   double motion = 0;     ///< standard deviation of the measured signal
   double tolerance = 0;  ///< tolerated constant error
 };
@@ -120,7 +116,7 @@ struct MotionProblem {
   int parameters = 0;
   int ground_height = kNoParameter;  ///< index of the height by which the known ground is too high
   /// For each coordinate, the index of its acceleration gain: the relative excess of the
-  /// acceleration in inertial units over that of the spline.
+  /// acceleration that inertial units measure over the acceleration of the spline.
   std::vector<int> acceleration_gains;
   std::vector<int> delays;  ///< indices of the delay parameters
   Eigen::VectorXd wander;   ///< 1 sigma of each parameter's deviation from segment to segment

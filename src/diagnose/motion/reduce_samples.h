@@ -12,9 +12,9 @@ namespace tera {
 struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
-  double share = 1;  ///< samples in it over samples of a window without lost rows
-  /// 1 sigma of the part that a spline with one knot per window cannot represent: turn rates, then
-  /// specific forces.
+  double share = 1;  ///< number of samples / number in a window without lost rows
+  /// 1 sigma of the part of the motion that a spline with one knot per window cannot represent:
+  /// turn rates, then specific forces.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
@@ -45,12 +45,13 @@ void SetMotionOfUnits(MotionProblem* problem);
 struct GearTrack {
   TimeSeries angle_rad;
   double resolution_rad = 0;
-  /// Travel per radian; distance to the left of the base's centre.
+  /// Travel of a running gear per radian of its encoder; its distance to the left of the base's
+  /// centre.
   double radius_m = 0, left_m = 0;
 };
 
-/// Travel in windows of at least 0.1 s. The running gear stands where, from 0.3 s before to 0.3 s
-/// after a window, no angle moves by more than noise and quantisation.
+/// Travel in windows of at least 0.1 s. The running gear is at rest in a window if no angle moves
+/// by more than noise and quantisation from 0.3 s before to 0.3 s after the window.
 std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears);
 
 }  // namespace tera

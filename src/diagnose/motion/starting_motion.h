@@ -41,7 +41,7 @@ struct RoughSources {
   std::vector<AntennaTrack> antennas;
   std::vector<TravelWindow> travel;
   std::optional<Pose> start;  ///< initial pose of the base in the scenario
-  GroundHeight ground;        ///< empty where it is unknown
+  GroundHeight ground;        ///< empty if the ground is unknown
 };
 
 /// A rough motion of the base as the start of an estimate: one series per coordinate. The first

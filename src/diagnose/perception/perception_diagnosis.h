@@ -27,7 +27,7 @@ struct PerceptionFinding {
 
 /// Causes of the differences between one sensor's data and their simulation on the recorded
 /// trajectory. The sensor is a lidar, a depth camera or a colour camera. Findings point into this
-/// object's candidates, so it can be moved but not copied.
+/// object's candidates, so the object can be moved but not copied.
 struct PerceptionDiagnosis {
   PerceptionDiagnosis() = default;
   PerceptionDiagnosis(PerceptionDiagnosis&&) = default;
@@ -36,12 +36,13 @@ struct PerceptionDiagnosis {
   std::string channel;     ///< "excavator1/lidar_roof"
   std::string target;      ///< the sensor's name in the scenario
   std::string not_judged;  ///< reason; empty if judged
-  std::string unit = "m";  ///< of residual distances; "px" for pictures
+  std::string unit = "m";  ///< unit of residual distances; "px" for pictures
   std::size_t scans = 0;   ///< number of scans or pictures
   std::vector<Candidate> sensor_candidates;
   std::deque<Candidate> scene_candidates;  ///< candidates of the findings in the scene
   double noise_rmse = 0;                   ///< RMS residual after a fit of all sensor candidates
-  std::vector<ParameterDetectability> detectability;  ///< of the sensor candidates
+  /// Detectable deviations of the sensor candidates.
+  std::vector<ParameterDetectability> detectability;
   GroundMap ground;  ///< compared under the fitted calibration; empty for pictures
   std::vector<PerceptionFinding> findings, unconfirmed;
 

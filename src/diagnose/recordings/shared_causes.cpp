@@ -12,12 +12,12 @@ namespace {
 
 using Kind = CauseInRecording::Kind;
 
-/// Probability of any reported difference if all parameters agree.
+/// Probability of reporting a difference if all parameters agree.
 constexpr double kDifferingP = 0.01;
 
 using Candidates = std::vector<const Candidate*>;
 
-/// Whether two candidates, perhaps of two recordings, are the same mechanism of the same target.
+/// True if both candidates, perhaps of two recordings, have the same mechanism and target.
 bool AreOne(const Candidate& a, const Candidate& b) {
   return a.target == b.target && a.mechanism == b.mechanism;
 }
@@ -27,7 +27,7 @@ bool Has(const Candidates& all, const Candidate& one) {
                      [&](const Candidate* other) { return AreOne(*other, one); });
 }
 
-/// A finding's candidate and its rivals, on the same or another target.
+/// A finding's candidate and its rivals.
 Candidates ClassOf(const Finding& finding) {
   Candidates all{finding.term.candidate};
   for (const Candidate* rival : finding.evidence.rivals) {
@@ -36,10 +36,10 @@ Candidates ClassOf(const Finding& finding) {
   return all;
 }
 
-/// Findings of one cause, at most one of each recording.
+/// Findings of one cause, at most one per recording.
 struct Group {
   Candidates alike;
-  std::vector<const Finding*> findings;  ///< null where a recording has none
+  std::vector<const Finding*> findings;  ///< null for a recording without one
 
   bool Takes(const Finding& finding, std::size_t recording) const {
     const Candidates other = ClassOf(finding);
@@ -73,7 +73,7 @@ std::vector<Group> GroupsOf(const std::vector<const Diagnosis*>& diagnoses) {
   return groups;
 }
 
-/// The first of the candidates that most recordings of a group name.
+/// The candidate that most recordings of a group name; the first of several.
 const Candidate* MostNamed(const Group& group) {
   const auto count = [&](const Candidate* one) {
     return std::count_if(group.findings.begin(), group.findings.end(), [&](const Finding* finding) {
@@ -89,7 +89,7 @@ bool IsOf(const Finding& finding, const SharedCause& cause) {
   return AreOne(*finding.term.candidate, *cause.candidate);
 }
 
-/// The first finding of the cause among some, or null.
+/// The first finding of the cause in a list, or null.
 const Finding* FindIn(const std::vector<const Finding*>& findings, const SharedCause& cause) {
   const auto found = std::find_if(findings.begin(), findings.end(),
                                   [&](const Finding* one) { return IsOf(*one, cause); });
@@ -105,7 +105,7 @@ std::size_t MainNumber(const Candidate& candidate) {
   return candidate.free.empty() ? 0 : candidate.free.front().index;
 }
 
-/// Index of the nearest start in a candidate's ladder of starts.
+/// Index of the nearest starting value. Starting values are ordered from faint to strong.
 std::size_t RungOf(const Candidate& candidate, double number) {
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -119,13 +119,13 @@ std::size_t RungOf(const Candidate& candidate, double number) {
   return nearest;
 }
 
-/// Whether a candidate with this main parameter was detectable in a block.
+/// True if a candidate with this main parameter was detectable in a block.
 bool WouldShow(const Detectability& seen, const std::optional<double>& number) {
   return seen.smallest && number &&
          RungOf(*seen.candidate, *seen.smallest) <= RungOf(*seen.candidate, *number);
 }
 
-/// Result of a recording that does not have the cause, for a cause of that size.
+/// Result of a recording that does not find the cause. `number` is the cause's main parameter.
 Kind WithoutIt(const Diagnosis& diagnosis, const SharedCause& cause,
                const std::optional<double>& number) {
   Kind kind = Kind::kNotCompared;
@@ -181,7 +181,7 @@ std::vector<SharedNumber> NumbersOf(const SharedCause& cause) {
   return numbers;
 }
 
-/// The main number of a group's candidate in the first recording that names it.
+/// Main parameter of a group's candidate, from the first recording that names it.
 std::optional<double> SizeOf(const Group& group, const SharedCause& cause) {
   for (const Finding* finding : group.findings) {
     if (finding == nullptr || !IsOf(*finding, cause)) continue;

@@ -16,12 +16,12 @@
 namespace tera {
 namespace {
 
-constexpr double kLoadPeriod_s = 0.02;  ///< poses, and thus loads, change little in it
-constexpr double kLongest_s = 86400;    ///< of a recording: no machine works for a day
-constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which the stop may hold a
-                                        ///< joint
+constexpr double kLoadPeriod_s = 0.02;  ///< poses, and thus loads, change little in this time
+constexpr double kLongest_s = 86400;    ///< limit on a recording: no machine works for a day
+/// Distance to an end stop at which the stop may hold a joint.
+constexpr double kAtStop_rad = 0.01;
 constexpr double kPush = 0.02;        ///< least lever that counts as pushed: the expected dead band
-constexpr double kLongestPush_s = 2;  ///< a released lever may still act for so long
+constexpr double kLongestPush_s = 2;  ///< a released lever may still act for this time
 
 /// Whether each sample of an axis is clear of its end stops.
 std::vector<bool> BetweenStops(const MachineModel& model, std::size_t axis,
@@ -89,7 +89,7 @@ void SetTimes(const TableRecording& commands, AxisLog* log) {
   }
 }
 
-/// Adds a command that holds between two times to the steps' mean levers.
+/// Adds a command that holds between two times to the mean levers of the steps.
 void Hold(double lever, double from_step, double to_step, std::size_t axis, AxisLog* log) {
   to_step = std::min(to_step, static_cast<double>(log->steps));
   for (double at = std::max(0.0, from_step); at < to_step;) {
@@ -126,16 +126,17 @@ void SetLevers(const MachineModel& model, const TableRecording& commands, AxisLo
   }
 }
 
-/// Frees samples at an end stop if the lever drives away from it, and no lever that may still act
-/// drove into it. A motion begins there, or waits for its dead time.
+/// Sets `is_free` for samples at an end stop at the start of a motion away from it. The lever must
+/// drive away from the stop. No recent lever may have driven into it.
 void FreeDepartures(const MachineModel& model, const std::vector<AxisSamples>& samples,
                     AxisLog* log) {
   for (MeasuredRate& measured : log->measured) {
     if (measured.axis >= model.joints.size()) continue;
     const Joint& joint = model.joints[measured.axis];
     const std::vector<double>& position_rad = samples[measured.axis].position_rad;
-    if (position_rad.size() != measured.is_free.size()) continue;  // of another encoder of the axis
-    double up_s = -INFINITY, down_s = -INFINITY;                   // last push in this direction
+    // From another encoder of the same axis.
+    if (position_rad.size() != measured.is_free.size()) continue;
+    double up_s = -INFINITY, down_s = -INFINITY;  // times of the last push in each direction
     std::size_t step = 0;
     for (std::size_t i = 0; i < measured.is_free.size(); ++i) {
       for (; step < log->steps && static_cast<double>(step) <= measured.at_step[i]; ++step) {
@@ -175,7 +176,6 @@ void SetMotion(const MachineModel& model, const std::vector<AxisSamples>& sample
   }
 }
 
-/// The loads and inertias of all joints at one step.
 struct Weights {
   std::vector<double> load_nm, inertia_kgm2;
 };

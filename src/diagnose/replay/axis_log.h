@@ -12,14 +12,14 @@
 
 namespace tera {
 
-/// Rates of one joint or gear as an encoder measured them.
+/// Rates of one joint or running gear, measured by an encoder.
 struct MeasuredRate {
   std::string channel;  ///< "excavator1/encoders/boom_radps"
   std::size_t axis = 0;
   std::vector<TimeNs> t_ns;
   std::vector<double> at_step;  ///< times in steps of the log
   std::vector<double> rate_radps;
-  /// Whether the joint was clear of its end stops, or driven away from the stop that it touched.
+  /// False for samples at an end stop, unless the lever drives the joint away from it.
   std::vector<bool> is_free;
 };
 
@@ -29,18 +29,19 @@ inline constexpr double kReplayStep_s = 0.01;
 /// Levers of one machine and the measured motion of its axes at even steps: input to the replay of
 /// the actuation chain. Axes are joints, then gears, in the model's order.
 ///
-/// Model   a command holds until the next, with neutral before the first; levers are its means over
-///         each step. Positions and rates are linear between samples. Load and inertia are those of
-///         the links at the measured positions, on a level machine. An axis without encoder stays
-///         at its initial position and has no rate.
-/// Omits   the ground's load on tools and tracks; a base that is not level.
+/// Model   A command holds until the next one; before the first, levers are neutral. Levers are
+///         means over each step. Positions and rates are linear between samples. Loads and inertias
+///         are those of the links at the measured positions, on a level machine. An axis without an
+///         encoder stays at its initial position and has no rate.
+/// Omits   The ground's load on tools and tracks; a base that is not level.
 struct AxisLog {
   TimeNs start_ns = 0;
   double step_s = 0;
   std::size_t steps = 0, axes = 0;
   std::vector<double> lever;       ///< steps x axes
   std::vector<AxisMotion> motion;  ///< steps x axes, at the start of each step
-  /// Mass or inertia of the links beyond a joint, steps x axes; 0 for gears and fixed joints.
+  /// Mass or inertia of the links beyond a joint, steps x axes. 0 for running gears and fixed
+  /// joints.
   std::vector<double> inertia_kgm2;
   std::vector<MeasuredRate> measured;
 
@@ -55,7 +56,6 @@ struct AxisLog {
   }
 };
 
-/// Encoders with the name of their channel.
 struct NamedEncoders {
   std::string channel;
   EncoderRecording recording;

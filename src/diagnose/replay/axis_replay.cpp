@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Interpolates the rates at the ends of steps linearly to the times of the samples.
+/// Interpolates rates at the ends of steps linearly to the times of the samples.
 class SampledRate {
  public:
   SampledRate(const std::vector<double>& at_step, std::size_t count)
@@ -32,17 +32,17 @@ class SampledRate {
   double before_radps_ = 0;
 };
 
-/// Full effort of an axis's motor; not known for gears, which move the whole machine.
+/// Full effort of an axis's motor. Zero for running gears, whose load is the whole machine.
 double FullEffort_nm(const MachineModel& model, std::size_t axis) {
   return axis < model.joints.size() ? model.joints[axis].max_effort_nm : 0;
 }
 
-/// The change of a rate in one step by one newton metre; 0 where no inertia is known.
+/// Rate change in one step per newton metre; 0 if the inertia is unknown.
 double ChangePerEffort_radpspnm(double inertia_kgm2, double dt_s) {
   return inertia_kgm2 > 0 ? dt_s / inertia_kgm2 : 0;
 }
 
-/// Rate at the end of a step, limited by the acceleration of the masses under full effort.
+/// Rate at the end of a step. Full effort limits the acceleration.
 double Accelerated(double from_radps, double asked_radps, double full_nm, double load_nm,
                    double change_radpspnm) {
   if (change_radpspnm <= 0 || full_nm <= 0) return asked_radps;
@@ -68,7 +68,7 @@ AxisReplay::AxisReplay(const MachineModel& model, const AxisLog& log, const Meas
     motion_.push_back(log.motions_at(k)[axis_]);
     change_radpspnm_.push_back(ChangePerEffort_radpspnm(log.inertias_at(k)[axis_], log.step_s));
   }
-  // Without pumps and contact these are not needed, and copying them for every prediction is slow.
+  // The replay needs none of these parts, and copies of them would slow down every prediction.
   for (Cylinder& cylinder : model_.cylinders) cylinder.bore_m = 0;
   for (Link& link : model_.links) link = {};
   model_.levers.clear();
@@ -150,7 +150,7 @@ std::vector<bool> AxisReplay::FallsShort(const AxisEffects& effects, const Nomin
     const auto begins = static_cast<double>(k);
     while (next < at_step_.size() && at_step_[next] <= begins) ++next;
     if (at_end.asked_radps == at_end.rate_radps) return;
-    // The rate of a sample of the next step lies between those at the ends of both.
+    // A sample in the next step is interpolated from the ends of both steps.
     std::size_t sample = next;
     while (sample < at_step_.size() && at_step_[sample] < begins + 2) falls_short[sample++] = true;
     if (sample == next && sample < at_step_.size()) falls_short[sample] = true;

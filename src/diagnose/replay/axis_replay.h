@@ -33,36 +33,36 @@ class AxisReplay {
   /// what it needs of all arguments.
   AxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
-  /// Nominal numbers of the axis, as factors on those of its model.
+  /// Factors on the nominal numbers of the axis: rate at full lever, full effort.
   struct Nominal {
     double rate = 1, effort = 1;
   };
 
-  /// Rates at the measured rate's times, or the first `most` of them, with `effects` in place of
-  /// the model's.
+  /// Rates with `effects` in place of the model's, at the times of the measured rate or at the
+  /// first `most` of these times.
   std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal,
                               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   std::vector<double> Predict(const AxisEffects& effects) const {
     return Predict(effects, Nominal());
   }
 
-  /// For each of the measured rate's times, whether full effort is too weak to accelerate the
-  /// masses as demanded, at that time or since the previous one.
+  /// One flag per time of the measured rate: true if full effort could not reach the demanded rate
+  /// at that time, or since the previous one.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
   /// The same, with `learned` in place of the model's learned effect.
   AxisReplay With(const LearnedEffect& learned) const;
 
-  /// The model's effects.
+  /// Effects of the axis and its pump in the model.
   AxisEffects effects() const;
   const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
-  /// The drive's demanded rate at the end of a step, and the resulting rate.
+  /// Rate that the drive demands at the end of a step, and the rate that results.
   struct Rates {
     double asked_radps = 0, rate_radps = 0;
   };
-  /// Replays the first `steps`; `take` gets each step's number and rates.
+  /// Replays the first `steps`. `take` receives the number and rates of each step.
   template <typename Take>
   void Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
            const Take& take) const;
@@ -73,9 +73,10 @@ class AxisReplay {
   std::size_t axes_ = 0;
   double step_s_ = 0;
   std::vector<double> lever_, at_step_;
-  std::vector<double> levers_;  ///< of all axes, steps x axes
+  std::vector<double> levers_;  ///< levers of all axes, steps x axes
   std::vector<AxisMotion> motion_;
-  std::vector<double> change_radpspnm_;  ///< change of rate per step and effort; 0: no inertia
+  /// Rate change per step and unit of effort; 0: inertia unknown.
+  std::vector<double> change_radpspnm_;
   std::optional<PumpDemand> pump_;
 };
 

@@ -13,18 +13,18 @@
 namespace tera {
 namespace {
 
-constexpr double kLongestInterval_s = 1;  ///< between poses whose path is known
+constexpr double kLongestInterval_s = 1;  ///< poses further apart bound no interval
 
-/// Window for the comparison of an angle with its rate, and the largest difference there over the
-/// rates' RMS.
+/// Comparison of angles with rates: length of a window, and largest RMS difference relative to the
+/// RMS rate.
 constexpr double kAngleWindow_s = 1, kMostAngleError = 0.1;
 
 /// The rate and angle of one gear over time.
 struct GearSamples : AxisSamples {
   bool angle_is_of_rate = false;
 
-  /// Mean rate of a step about a time. By the angle at its ends, if that is the rate's integral,
-  /// since the angle is measured far better.
+  /// Mean rate of a step about a time. The angles at its ends are used if they agree with the
+  /// rates, because angles are measured far better.
   double MeanRate_radps(TimeNs middle_ns, TimeNs step_ns) const {
     const TimeNs from_ns = std::max(middle_ns - step_ns / 2, t_ns.front());
     const TimeNs to_ns = std::min(middle_ns + step_ns / 2, t_ns.back());
@@ -37,8 +37,8 @@ struct GearSamples : AxisSamples {
   }
 };
 
-/// Whether a gear's angle is the integral of its rate over about every second. It is not if it
-/// wraps at each turn, is a motor's, or is missing.
+/// True if a gear's angle agrees with the integral of its rate over windows of a second. An angle
+/// that wraps, belongs to a motor or is missing does not agree.
 bool AngleIsOfRate(const GearSamples& gear) {
   double since_s = 0, apart_rad = 0, squares = 0, rates = 0, windows = 0;
   for (std::size_t k = 1; k < gear.t_ns.size(); ++k) {
@@ -98,13 +98,13 @@ PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_
       Vec3(std::cos(heading_rad), std::sin(heading_rad), forward_W.z() / forward_W.head<2>().norm())
           .normalized();
   const Vec3 left_W(-std::sin(heading_rad), std::cos(heading_rad), 0);
-  // The arc of a turn is longer than its chord.
+  // An arc is longer than its chord.
   const double arc = turned_rad == 0 ? 1 : 0.5 * turned_rad / std::sin(0.5 * turned_rad);
   return {arc * moved_W_m.dot(along_W) / dt_s, arc * moved_W_m.dot(left_W) / dt_s,
           turned_rad / dt_s};
 }
 
-/// Position of each joint over time; the initial one without an encoder.
+/// Joint positions over time. A joint without an encoder keeps its initial position.
 class JointPositions {
  public:
   JointPositions(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
@@ -131,7 +131,7 @@ class JointPositions {
   std::vector<std::pair<std::size_t, AxisSamples>> measured_;  ///< by joint
 };
 
-/// Adds the gears' rates, the attitudes and the postures from `first_ns` to `last_ns`.
+/// Adds the instants from `first_ns` to `last_ns`.
 void AddInstants(const MachineModel& model, const JointPositions& joints,
                  const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
                  const Vec3& contact_B_m, TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
@@ -153,7 +153,6 @@ void AddInstants(const MachineModel& model, const JointPositions& joints,
   }
 }
 
-/// The interval from pose `a` to pose `b`.
 BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std::size_t b,
                         const std::optional<PoseTimes>& arrivals, const Vec3& contact_B_m,
                         const BaseLog& log) {

@@ -12,9 +12,9 @@
 namespace tera {
 namespace {
 
-using Way = Eigen::Vector3d;  ///< forward, left, turn
+using Way = Eigen::Vector3d;  ///< displacement: forward (m), left (m), yaw (rad)
 
-/// A mass accelerated by friction under its two sides.
+/// A mass that friction under its two sides accelerates.
 class MassOnTracks {
  public:
   MassOnTracks(const TrackGeometry& geometry, const Grip& grip, const PlanarTwist& at_first)
@@ -26,7 +26,7 @@ class MassOnTracks {
     TERA_CHECK(inertia_kgm2_ > 0 && gauge_m_ > 0, inertia_kgm2_, gauge_m_);
   }
 
-  /// Its speeds after a step with its tracks at `target`.
+  /// Twist after a step in which the tracks would give `target`.
   PlanarTwist Follow(const PlanarTwist& target, double dt_s) {
     const double forward_n = mass_kg_ * (target.forward_mps - twist_.forward_mps) / dt_s;
     const double yaw_nm = inertia_kgm2_ * (target.yaw_radps - twist_.yaw_radps) / dt_s;
@@ -46,7 +46,7 @@ class MassOnTracks {
   PlanarTwist twist_;
 };
 
-/// Displacement of the base up to the start of each step, and up to the end of the last.
+/// Displacement from the log's start to the start of each step, and to the end of the last step.
 std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineState state,
                         const std::optional<Grip>& grip) {
   const double dt_s = ToSeconds(BaseLog::kStep_ns);
@@ -63,7 +63,7 @@ std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineSta
   return ways;
 }
 
-/// Displacement at a time in steps, extrapolated from the first and last step.
+/// Displacement at a time, given in steps. Extrapolates beyond the first and last step.
 Way WayAt(const std::vector<Way>& ways, double steps) {
   const double k = std::clamp(std::floor(steps), 0.0, static_cast<double>(ways.size() - 2));
   const auto step = static_cast<std::size_t>(k);

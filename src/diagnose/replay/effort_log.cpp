@@ -15,19 +15,19 @@
 namespace tera {
 namespace {
 
-constexpr double kWidestBand_hz = 20;  ///< beyond, machines do little and encoders' noise is large
-/// Band over the sample rate of the slower of effort and encoder, at most.
+constexpr double kWidestBand_hz = 20;  ///< above, machines move little and encoder noise is large
+/// Upper limit of the band, over the lower sample rate of effort and encoder.
 constexpr double kMostBandOfRate = 0.2;
-/// Samples of the comparison per period of the band: at half their rate, twice the band, the
-/// Gaussian passes a quarter.
+/// Samples of the comparison per period of the band. The Gaussian still passes a quarter at twice
+/// the band, which is half their rate.
 constexpr double kSamplesPerPeriod = 4;
-constexpr double kReachInSigma = 4;      ///< of the truncated Gaussian
-constexpr double kMostRestShare = 0.01;  ///< of the largest rate, up to which a joint is at rest
-constexpr double kLongestGapSteps = 5;   ///< sample periods without a sample that are no gap
-constexpr std::size_t kFewestSamples = 100;  ///< of effort and of the encoder
+constexpr double kReachInSigma = 4;  ///< half the length of the truncated Gaussian
+/// A joint below this share of its largest rate is at rest.
+constexpr double kMostRestShare = 0.01;
+constexpr double kLongestGapSteps = 5;       ///< longer intervals, in sample periods, are gaps
+constexpr std::size_t kFewestSamples = 100;  ///< least number of samples of effort and of position
 constexpr std::size_t kMostFineSteps = 10'000'000;
 
-/// The samples of one quantity over time.
 struct Samples {
   std::vector<TimeNs> t_ns;
   std::vector<double> value;
@@ -48,7 +48,6 @@ std::optional<Samples> PositionSamples(const std::string& joint,
   return Samples{std::move(samples->t_ns), std::move(samples->position_rad)};
 }
 
-/// Even times.
 struct Grid {
   TimeNs start_ns = 0;
   double step_s = 0;
@@ -61,10 +60,10 @@ struct Grid {
 
 struct Spread {
   std::vector<double> value;
-  std::vector<bool> known;  ///< whether samples are near on both sides
+  std::vector<bool> known;  ///< true if samples are near on both sides
 };
 
-/// Samples interpolated linearly to a grid.
+/// Linear interpolation of samples to a grid. `step_s` is the usual sample period.
 Spread Over(const Grid& grid, const Samples& samples, double step_s) {
   Spread spread{std::vector<double>(grid.size), std::vector<bool>(grid.size)};
   std::size_t next = 0;
@@ -81,7 +80,7 @@ Spread Over(const Grid& grid, const Samples& samples, double step_s) {
   return spread;
 }
 
-/// A Gaussian and its derivatives over even steps.
+/// A Gaussian and its first two derivatives at even steps.
 struct Kernels {
   std::vector<double> smooth, slope, curvature;
 
@@ -92,7 +91,7 @@ struct Kernels {
       smooth.push_back(std::exp(-0.5 * std::pow(i * step_s / sigma_s, 2)));
       sum += smooth.back();
     }
-    // Normalised such that a line has its slope and no curvature, and a parabola its curvature.
+    // Normalised for exact results: slope and zero curvature of a line, curvature of a parabola.
     double second = 0, fourth = 0;
     for (int i = -reach; i <= reach; ++i) {
       double& g = smooth[static_cast<std::size_t>(i + reach)];
@@ -116,14 +115,13 @@ double Convolved(const std::vector<double>& kernel, const std::vector<double>& x
   return sum;
 }
 
-/// The positions, rates and accelerations of all joints.
 struct JointMotion {
   std::vector<double> q_rad, qd_radps, qdd_radps2;
 };
 
-/// Efforts that accelerate and support the links of a machine with a level root at rest.
+/// Efforts that accelerate and support the links of a machine with a level, standing base.
 ///
-/// Model   accelerations of the links by second differences of their poses over a millisecond.
+/// Model   Accelerations of the links are second differences of their poses over a millisecond.
 class Dynamics {
  public:
   explicit Dynamics(const MachineModel& model) : model_(model), inertial_(model) {}
@@ -166,13 +164,13 @@ class Dynamics {
   InertialEfforts inertial_;
 };
 
-/// Measurements that form a log.
+/// The measurements for one log.
 struct Sides {
   Samples effort;
-  std::vector<std::optional<Samples>> position;  ///< one for each joint
+  std::vector<std::optional<Samples>> position;  ///< one per joint
 };
 
-/// The fine grid over the time in which both effort and position of the joint were measured.
+/// Fine grid over the common time of effort and position of the joint.
 Grid GridOf(const Sides& sides, std::size_t joint) {
   const Samples& position = *sides.position[joint];
   const TimeNs from_ns = std::max(position.t_ns.front(), sides.effort.t_ns.front());
@@ -191,7 +189,7 @@ Grid GridOf(const Sides& sides, std::size_t joint) {
   return grid;
 }
 
-/// The motion of all joints at one fine step.
+/// Motion of all joints at one fine step.
 JointMotion MotionAt(const MachineModel& model, const std::vector<std::optional<Spread>>& positions,
                      const Kernels& kernels, std::size_t at) {
   JointMotion motion;
@@ -217,7 +215,7 @@ void SetFineRate(const Spread& position, const Kernels& kernels, EffortLog* log)
   }
 }
 
-/// Whether a whole window of fine steps may be used.
+/// True if the whole window of fine steps is measured and the joint moves in it.
 bool IsUsable(const EffortLog& log, const Spread& effort,
               const std::vector<std::optional<Spread>>& positions, double rest_radps,
               std::size_t at) {
@@ -257,7 +255,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   const auto stride =
       static_cast<std::size_t>(std::lround(1 / (kSamplesPerPeriod * log.band_hz * grid.step_s)));
   log.measured.period_s = static_cast<double>(stride) * grid.step_s;
-  // The rate needs a window of positions, and its smoothing a further one.
+  // The rate needs one window of positions, and its smoothing another.
   const std::size_t margin = kernels.smooth.size();
   log.first_ns = grid.t_ns(margin);
   Dynamics dynamics(model);
@@ -276,7 +274,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   return log;
 }
 
-/// Index of a column's joint; -1 if it has none.
+/// Index of a column's joint; -1 without one.
 int JointOf(const MachineModel& model, const std::string& column) {
   const bool is_torque = column.ends_with("_nm");
   if (!is_torque && !column.ends_with("_n")) return -1;

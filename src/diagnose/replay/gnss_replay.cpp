@@ -17,7 +17,7 @@ namespace {
 
 constexpr TimeNs kStep_ns = 50'000'000;
 
-/// The rank of a fix, larger for a better one.
+/// Rank of a fix; better fixes have larger ranks.
 int RankOf(GnssFix fix) {
   switch (fix) {
     case GnssFix::kNone:
@@ -34,7 +34,7 @@ int RankOf(GnssFix fix) {
   return 0;
 }
 
-/// The time at which a sample with the stamp `t_ns` was measured: the inverse of ReportClock.
+/// Time at which a sample with the stamp `t_ns` was measured. Inverse of ReportClock.
 TimeNs MeasuredAt(const Effects& effects, TimeNs t_ns) {
   const double late_s =
       NumberOf(effects, "clock_offset", "offset_s", 0) + NumberOf(effects, "latency", "delay_s", 0);
@@ -42,7 +42,7 @@ TimeNs MeasuredAt(const Effects& effects, TimeNs t_ns) {
   return std::llround(static_cast<double>(t_ns - FromSeconds(late_s)) / (1 + drift));
 }
 
-/// The effects without those that are drawn at random.
+/// The effects without random ones.
 Effects Certain(Effects effects) {
   std::erase_if(effects, [](const Effect& effect) {
     return effect.mechanism->id == "float_jump" || effect.mechanism->id == "outliers";

@@ -13,15 +13,16 @@ namespace tera {
 namespace {
 
 constexpr int kStepsPerInterval = 2;
-constexpr int kSamplesPerInterval = 8;  ///< several, as a clock may be off by less than an interval
-constexpr double kForceNoise_mps2 = 0.05;  ///< of forces that are derived from poses, at most
-/// Least ratio of an interval's samples to the usual number, for its mean to count.
+/// Several, because a clock error may be shorter than an interval.
+constexpr int kSamplesPerInterval = 8;
+constexpr double kForceNoise_mps2 = 0.05;  ///< upper limit for forces derived from poses
+/// Least number of samples of a usable mean, over the number in the fullest interval.
 constexpr double kLeastSampleShare = 0.5;
 
-/// Smooths the measured force of a unit mounted with `R_LS` as the replay smooths that of an ideal
-/// unit. The replay derives forces from velocities that are means over the track's steps. For a
-/// step, the result is the force in W averaged over the step's length and over the two half steps
-/// around its middle.
+/// Smooths measured forces as the replay smooths those of an ideal unit. The unit is mounted with
+/// `R_LS`. The replay derives forces from velocities that are means over the track's steps. For
+/// each step, the result is the mean force in W under a trapezoid: weight 1 within half a step of
+/// its middle, falling to 0 at 1.5 steps.
 class ForcesOfSteps {
  public:
   ForcesOfSteps(const LinkTrack& track, const Mat3& R_LS, TimeNs sample_ns)
@@ -45,7 +46,8 @@ class ForcesOfSteps {
     }
   }
 
-  /// None where one of its steps has less than half of its samples.
+  /// Mean over an interval, in S. Returns nothing if a step has less than half of the usual
+  /// samples.
   std::optional<Vec3> MeanOver_S_mps2(std::size_t interval) const {
     const double least = kLeastSampleShare * *std::max_element(weights_.begin(), weights_.end());
     Vec3 mean_mps2 = Vec3::Zero();
@@ -74,7 +76,7 @@ TimeNs UsualPeriod(const std::vector<ImuSample>& samples) {
   return periods_s.empty() ? 0 : FromSeconds(Median(periods_s));
 }
 
-/// Sets the measured turn rates, means of the samples in each interval.
+/// Sets the measured means of each interval.
 void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog* log) {
   const std::size_t intervals = (log->track.X_WL.size() - 1) / kStepsPerInterval;
   log->w_S_radps.assign(intervals, Vec3::Zero());
@@ -105,7 +107,7 @@ void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog
   }
 }
 
-/// Interpolates samples at ascending times; the first and last sample hold beyond the ends.
+/// Interpolates samples at ascending times. Beyond the ends, the first or last sample holds.
 class ReadBetween {
  public:
   explicit ReadBetween(const std::vector<ImuSample>& samples) : samples_(samples) {}
@@ -126,7 +128,7 @@ class ReadBetween {
   std::size_t next_ = 0;
 };
 
-/// The mean of interval `k`, counted from 0, which ends with its last sample.
+/// Mean of interval `k`, counted from 0. The interval includes its end.
 ImuSample MeanOver(std::int64_t k, std::int64_t an_interval, const SampleClock& clock,
                    ReadBetween* samples) {
   ImuSample mean;
@@ -145,7 +147,7 @@ SampleClock ClockOf(const ImuLog& log, std::int64_t an_interval) {
   return {static_cast<double>(an_interval) * log.clock.rate_hz, log.clock.start_ns};
 }
 
-/// Whether effects are linear, so that they may act on means.
+/// True if all effects are linear in the measurement, so that they may act on means.
 bool AreLinear(const Effects& effects) {
   return std::all_of(effects.begin(), effects.end(), [](const Effect& effect) {
     const std::string_view id = effect.mechanism->id;
@@ -154,7 +156,8 @@ bool AreLinear(const Effects& effects) {
   });
 }
 
-/// Sets each sample's turn rate to that of the preceding step, for a unit mounted with `R_LS`.
+/// Sets each sample's turn rate to that of the track's preceding step, for a unit mounted with
+/// `R_LS`.
 void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* samples) {
   for (ImuSample& sample : *samples) {
     const Mat3 R_WA = turns.At(sample.t_ns - turns.step_ns).linear();
@@ -164,7 +167,7 @@ void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* 
   }
 }
 
-/// The samples that an ideal unit mounted at `X_BS` measures.
+/// Samples that an ideal unit at the mount `X_BS` measures.
 std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
   Imu imu({}, X_BS, ClockOf(log, kSamplesPerInterval), 0, 0, "");
   const Vec3 gravity_W_mps2(0, 0, -kStandardGravity_mps2);

@@ -10,8 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastTurning_radps = 1e-3;  ///< of a wheel: less is rest
-constexpr TimeNs kNear_ns = 300'000'000;  ///< distance to a measurement at which motion is known
+constexpr double kLeastTurning_radps = 1e-3;  ///< running gear that turns more slowly is at rest
+/// Motion is known between measurements that are at most this far apart.
+constexpr TimeNs kNear_ns = 300'000'000;
 
 /// Whether a measurement is near enough to a time.
 bool KnownAt(const std::vector<TimeNs>& t_ns, TimeNs at_ns) {
@@ -32,7 +33,7 @@ std::optional<AxisSamples> SamplesOf(const MachineModel& model, const Joint& joi
   return led;
 }
 
-/// The joints between the base and a link.
+/// Joints between the base and a link.
 std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   std::vector<std::size_t> way;
   for (std::size_t j = model.joints.size(); j-- > 0;) {
@@ -55,7 +56,7 @@ std::optional<std::vector<std::optional<AxisSamples>>> JointsTo(
   return joints;
 }
 
-/// Whether tracks or wheels were measured, and none turned.
+/// True if all tracks and wheels were measured and none turned.
 bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
   if (model.fixed_base) return true;
   const auto& gears = model.ground_tools.gears;

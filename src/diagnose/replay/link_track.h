@@ -7,29 +7,30 @@
 
 namespace tera {
 
-/// Motion of a link at even times.
+/// Poses of a link at even times.
 ///
-/// Frames  W of the poses, L link.
+/// Frames  W world frame of the poses, L link.
 struct LinkTrack {
   TimeNs start_ns = 0, step_ns = 0;
   std::vector<Pose> X_WL;
-  std::vector<bool> known;  ///< at each time, whether a measurement is near enough
+  std::vector<bool> known;  ///< true if measurements are near enough on both sides of the time
 
   TimeNs t_ns(std::size_t k) const { return start_ns + static_cast<TimeNs>(k) * step_ns; }
-  /// Pose at a time, interpolated; outside the track, the nearest pose. The track must have times.
+  /// Interpolated pose. Outside the track, the nearest pose. The track must not be empty.
   Pose At(TimeNs at_ns) const;
-  /// Position of a point of the link at a time, linear between two times.
+  /// Position of a point of the link, linear between two track times.
   Vec3 PointAt(TimeNs at_ns, const Vec3& p_L_m) const;
 };
 
-/// The track of a link over [`from_ns`, `to_ns`], from the poses of the base and the encoders of
-/// the joints between base and link.
+/// Track of a link over [`from_ns`, `to_ns`], from the base's poses and the encoders of the joints
+/// between base and link.
 ///
-/// Model   poses and angles are linear between measurements. Without poses, a machine whose
-///         tracks or wheels were measured and never turned stands still and level.
-/// Omits   the attitude of a machine that stands.
+/// Model   Poses and angles are linear between measurements. Without poses, a machine stands still
+///         and level if all its running gears were measured and none turned.
+/// Omits   The true attitude of a machine without poses.
 ///
-/// Empty where a moving joint on the way has no encoder, or the base's pose is not known.
+/// Returns an empty track if a moving joint on the way has no encoder, or if the base's motion is
+/// unknown.
 LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                       const std::vector<TruthPose>& poses, int link, TimeNs from_ns, TimeNs to_ns,
                       TimeNs step_ns);

@@ -10,18 +10,20 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kNeighbours = 7;        ///< steps on either side for comparison
-constexpr double kMostSideDifference = 0.25;  ///< of the steps on both sides, over their mean
-constexpr double kMostFromWhole = 0.3;        ///< distance of a ratio of steps from a whole number
-constexpr double kLeastStep_m = 0.02;         ///< a shorter step is rest, or noise
-constexpr double kPerRad_m = 1;               ///< about the radius of a machine's outline
-/// Largest relative deviation of usual stamp intervals from their median.
+constexpr std::size_t kNeighbours = 7;  ///< steps on either side for comparison
+/// Between the steps on both sides, relative to the larger.
+constexpr double kMostSideDifference = 0.25;
+constexpr double kMostFromWhole = 0.3;  ///< distance of a ratio of steps from a whole number
+constexpr double kLeastStep_m = 0.02;   ///< shorter steps are rest or noise
+constexpr double kPerRad_m = 1;         ///< about the radius of a machine's outline
+/// Intervals of stamps within this relative deviation from the median determine the period.
 constexpr double kUsualDeviation = 0.25;
-constexpr double kPeriodUncertainty = 0.01;  ///< over the period
-constexpr TimeNs kLeastWait = 2;             ///< in periods, of the pose that waits longest
-constexpr std::size_t kLongestQueue = 50;    ///< of poses that wait
+constexpr double kPeriodUncertainty = 0.01;  ///< relative to the period
+/// Wait of the latest pose, in periods, that shows arrival stamps.
+constexpr TimeNs kLeastWait = 2;
+constexpr std::size_t kLongestQueue = 50;  ///< largest number of waiting poses
 
-/// The distance of each pose from the one before it.
+/// Distance of each pose from the previous one.
 std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   std::vector<double> steps_m;
   for (std::size_t k = 1; k < poses.size(); ++k) {
@@ -32,7 +34,8 @@ std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   return steps_m;
 }
 
-/// Ratio of each step to its neighbours, as a whole number; 1 if it is none.
+/// Length of each step relative to its neighbours, as a whole number. 1 if it is not near a whole
+/// number.
 std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
   std::vector<TimeNs> times(steps_m.size(), 1);
   for (std::size_t k = kNeighbours; k + kNeighbours < steps_m.size(); ++k) {
@@ -63,8 +66,8 @@ TimeNs PeriodOf(const std::vector<TruthPose>& poses) {
   return FromSeconds((1 - kPeriodUncertainty) * sum_s / count);
 }
 
-/// Whether the previous poses arrived late enough to have queued before this one. Otherwise it is
-/// late for another reason.
+/// True if the previous poses arrived late enough to have queued before this one. Otherwise this
+/// pose is late for another reason.
 bool HasRoom(const std::vector<TruthPose>& poses, std::size_t pose, TimeNs waits_ns,
              TimeNs period_ns) {
   for (std::size_t k = pose; k > 0 && pose - k < kLongestQueue; --k) {

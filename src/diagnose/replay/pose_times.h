@@ -8,27 +8,29 @@
 
 namespace tera {
 
-/// Times of measurement of poses with arrival stamps: one for each pose, ascending.
+/// Times of measurement of poses with arrival stamps, ascending, one per pose.
 using PoseTimes = std::vector<TimeNs>;
 
-/// Estimates the times of measurement of poses with arrival stamps. Poses from registration, or
-/// through a network, may wait and then arrive faster than they were measured. By a recorder's
-/// stamps the machine then stands and jumps.
+/// Estimates when poses with arrival stamps were measured. Poses from registration, or sent through
+/// a network, may queue and then arrive faster than they were measured. With arrival stamps, the
+/// machine seems to stand and then jump.
 ///
-/// Model   poses are measured once a period, the mean of the stamps' intervals within a quarter of
-///         their median. Each time is as late as possible: not after its stamp, and a period before
-///         the next one, less one per cent for the period's uncertainty. A displacement of a whole
-///         multiple of those in the neighbouring steps means as many periods, with lost poses
-///         between, if the previous poses waited long enough. A turn by a radian counts as a metre.
-/// Omits   a latency of all poses (measured_poses.h); losses while the machine stands, accelerates,
-///         or moves by less than 2 cm from pose to pose. Recordings in which more than half of the
-///         poses wait: the median is then that of arrivals.
+/// Model   Poses are measured periodically. The period is the mean of the stamps' intervals that
+///         lie within a quarter of their median. Each time is as late as possible: not after its
+///         stamp, and at least one period before the next time. The period is shortened by one per
+///         cent for its uncertainty.
+///         Poses may be lost. A step that is n times as long as its neighbours then covers n
+///         periods, if the previous poses had queued long enough. For the length of a step, a turn
+///         of one radian counts as a metre.
+/// Omits   A latency of all poses (measured_poses.h); losses while the machine stands, accelerates,
+///         or moves by less than 2 cm per pose. Also recordings in which more than half of the
+///         poses queue: their median interval is that of arrivals.
 ///
-/// None if no pose waits for longer than two periods, so that even stamps stay unchanged, or if
-/// there are fewer than three poses. Poses are in the order of their stamps.
+/// `poses` are in the order of their stamps. Returns nothing with fewer than three poses, or if no
+/// pose waits longer than two periods. Nearly even stamps thus stay unchanged.
 std::optional<PoseTimes> TimesOfArrivals(const std::vector<TruthPose>& poses);
 
-/// The poses with these times as their stamps.
+/// The poses with `times_ns` as their stamps.
 std::vector<TruthPose> AtTimes(std::vector<TruthPose> poses, const PoseTimes& times_ns);
 
 }  // namespace tera

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// The axes that a pump feeds: joints, then gears.
+/// Axes that a pump feeds: joints, then running gears.
 std::vector<std::size_t> AxesOf(const MachineModel& model, const Pump& pump) {
   std::vector<std::size_t> axes(pump.joints.begin(), pump.joints.end());
   for (const int gear : pump.gears) axes.push_back(model.joints.size() + gear);
@@ -25,7 +25,7 @@ std::optional<std::size_t> OnlyPumpOf(const MachineModel& model, std::size_t axi
   return only;
 }
 
-/// Number of pumps that feed an axis, each with the same share.
+/// Number of pumps that feed an axis. Each delivers the same share.
 double PumpsOf(const MachineModel& model, std::size_t axis) {
   return static_cast<double>(
       std::count_if(model.pumps.begin(), model.pumps.end(), [&](const Pump& pump) {

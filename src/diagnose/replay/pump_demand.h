@@ -12,20 +12,19 @@ namespace tera {
 
 /// Demand on the pump that feeds one axis, at each step of a log.
 ///
-/// Model   each of the pump's other functions demands its own chain's response to its recorded
-///         lever, with the model's effects. The axis takes oil by its displacement at the measured
-///         position.
-/// Omits   axes that several pumps feed; the effect of an axis's own `cylinder_lever` on oil and
+/// Model   Each other function of the pump demands the response of its own chain to its recorded
+///         lever, with the model's effects. The axis takes oil in proportion to its rate and its
+///         displacement at the measured position.
+/// Omits   Axes that several pumps feed; the effect of an axis's own `cylinder_lever` on oil and
 ///         power.
-/// Source  that of flow_sharing (docs/reference/mechanisms.md): Djurovic and Helduser 2004, "New
-///         control strategies for electrohydraulic load-sensing".
+/// Source  As flow_sharing (docs/reference/mechanisms.md): Djurovic and Helduser 2004, "New control
+///         strategies for electrohydraulic load-sensing".
 struct PumpDemand {
   std::size_t pump = 0;
   std::vector<double> others_m3ps, others_w;
-  /// Oil of the axis per radian, by the sign of its rate.
+  /// Oil volume of the axis per radian, for positive and negative rates.
   std::vector<double> positive_m3prad, negative_m3prad;
-  /// Duration for which the axis and other functions demand oil together, and the largest total
-  /// demand.
+  /// Time in which the axis and other functions demand oil together, and the largest total demand.
   double together_s = 0, most_m3ps = 0, most_w = 0;
 
   double Own_m3ps(std::size_t step, double rate_radps) const {
@@ -34,7 +33,7 @@ struct PumpDemand {
   }
 };
 
-/// Demand on an axis's pump; none for an axis without a pump or with several.
+/// Returns nothing for an axis without a pump or with several.
 std::optional<PumpDemand> PumpDemandOf(const MachineModel& model, const AxisLog& log,
                                        std::size_t axis);
 

@@ -14,8 +14,8 @@ namespace tera {
 ///         position in the base follows from encoders of the joints before its link.
 /// Omits   slip, roll and pitch of the base; inertial units.
 ///
-/// None where a joint with a lever before the link has no encoder, or where no source shows the
-/// motion of the base.
+/// Empty if a joint with a lever before the link has no encoder, or if no source shows the motion
+/// of the base.
 std::optional<PlanarPath> AntennaPath(const DiagnosisInput& input, const Measurements& measured,
                                       const SensorDescription& receiver, TimeNs zero_ns);
 

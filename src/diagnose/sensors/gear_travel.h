@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Travel from the encoders of all running gears, in seconds since `zero_ns`. Empty where a gear
-/// has no encoder.
+/// Travel from the encoders of all running gears, in seconds since `zero_ns`. Empty if a gear has
+/// no encoder.
 std::vector<TravelWindow> GearTravel(const DiagnosisInput& input, const Measurements& measured,
                                      TimeNs zero_ns);
 

@@ -23,15 +23,15 @@ struct PlanarFix {
 /// The lag of fixes behind a path.
 struct PathLag {
   double lag_s = 0, sigma_s = 0;
-  double share = 0;  ///< motion of the fixes over that of the path
+  double share = 0;  ///< motion of the fixes / motion of the path
   double p = 1;      ///< p-value of the gain over all other lags
   /// RMS of the difference between steps of the fixes and of the path, without and with the lag,
   /// where both are known.
   double rms_before_m = 0, rms_after_m = 0;
 };
 
-/// The lag with which a path explains most of the fixes' motion. None where they overlap too
-/// little.
+/// The lag with which a path explains most of the fixes' motion. Empty if path and fixes overlap
+/// too little.
 ///
 /// Model   fixes, and the path at the fixes' times minus the lag, are averaged over a second. z is
 ///         the step of the fixes' mean from one second to the next, and q that of the path: z =

@@ -13,7 +13,7 @@ namespace tera {
 
 inline constexpr std::string_view kMultipath = "multipath";
 
-/// The part that rises next to an antenna on a link (GnssReflectorOf). None where the motion of its
+/// The part that rises next to an antenna on a link (GnssReflectorOf). Empty if the motion of its
 /// joints is not estimated.
 std::optional<RaisedPart> RaisedPartOf(const MachineModel& model, int antenna_link,
                                        const std::vector<int>& places);

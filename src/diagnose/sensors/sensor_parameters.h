@@ -91,7 +91,8 @@ void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel);
 /// Adds the yaw of two antennas on one link, as a parameter of the first receiver. Its tolerance is
-/// that of the heading minus `by_places_rad`, the turn that the antennas' own shifts allow.
+/// the tolerance of the heading minus `by_places_rad`, the turn that the tolerances of the antenna
+/// positions allow.
 int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table);
 /// Adds the parameters of one encoder axis with its `effects`. `target` is for example
 /// "encoders/boom"; `swing` is the standard deviation of positions, in rad or m. The scale cannot

@@ -13,7 +13,7 @@ namespace tera {
 /// Prior knowledge of a machine's location.
 struct KnownPlace {
   std::optional<Pose> start;  ///< initial pose of the base
-  GroundHeight ground;        ///< empty where it is unknown
+  GroundHeight ground;        ///< empty if the ground is unknown
 };
 
 /// The motion problem of a machine, and the table of its sensors' parameters.

@@ -19,11 +19,12 @@
 
 namespace tera {
 
-/// Standstill of the base: the levers of all running gears rest. Empty where one was not recorded.
+/// Standstill of the base: the levers of all running gears rest. Empty if one of these levers was
+/// not recorded.
 std::vector<TravelWindow> StandingByLevers(const DiagnosisInput& input,
                                            const Measurements& measured, TimeNs zero_ns);
 
-/// Standstill of a joint. Empty where its lever was not recorded.
+/// Standstill of a joint. Empty if its lever was not recorded.
 std::vector<TravelWindow> RestingByLever(const DiagnosisInput& input, const Measurements& measured,
                                          std::size_t joint, TimeNs zero_ns);
 

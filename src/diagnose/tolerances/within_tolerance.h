@@ -15,8 +15,9 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
                      double lever_interval_s = 0);
 
 /// True if a finding reduces its channel's error on FINAL by at least the error that a rate factor
-/// at the end of its tolerance causes (Finding::tolerated). If `as_expected` is set, the reduction
-/// counts from that error where it is smaller, minus 1.645 standard deviations by noise.
+/// at the end of its tolerance causes (Finding::tolerated). If `as_expected` is set and has a
+/// smaller error than the model without the finding, the reduction is measured from that error,
+/// minus 1.645 standard deviations due to noise.
 bool IsOfPracticalSize(const Finding& finding);
 
 /// True if a hypothesis within tolerance explains the data as well as the finding. Two conditions
@@ -36,9 +37,9 @@ bool IsExplainedAsExpected(const Finding& finding);
 ///         acts at all.
 bool IsBeyondTolerance(const Finding& finding);
 
-/// True if a finding is not of practical size, or a hypothesis within tolerance explains the data
-/// as well. Otherwise true if the finding is not beyond tolerance and its undetermined parameters
-/// lie within theirs.
+/// True in each of three cases. The finding is not of practical size. A hypothesis within tolerance
+/// explains the data as well. The finding is not beyond tolerance, and its undetermined parameters
+/// lie within their tolerances.
 bool IsWithinTolerance(const Finding& finding);
 
 /// Moves findings within tolerance to their list, and undecided findings to the unconfirmed ones.

@@ -9,8 +9,8 @@
 
 namespace tera {
 
-/// Values of the figures behind `objectives`: removes the negation of maximised ones. `signs` as in
-/// Appraisal.
+/// Values of the figures that `objectives` stand for. A maximised figure is a negated objective;
+/// its sign is restored. `signs` as in Appraisal.
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs);
 

@@ -25,10 +25,10 @@ MountBounds ReadMount(const ConfigMap& config) {
   mount.low_rpy_rad = kDeg * low_deg;
   mount.high_rpy_rad = kDeg * config.Vector3("high_rpy_deg", angle, low_deg);
   if ((mount.high_B_m.array() < mount.low_B_m.array()).any()) {
-    config.Fault("high_xyz_m", "lies below low_xyz_m along some axis; need it above or equal");
+    config.Fault("high_xyz_m", "is below low_xyz_m on some axis; need at least low_xyz_m");
   }
   if ((mount.high_rpy_rad.array() < mount.low_rpy_rad.array()).any()) {
-    config.Fault("high_rpy_deg", "lies below low_rpy_deg about some axis; need it above or equal");
+    config.Fault("high_rpy_deg", "is below low_rpy_deg about some axis; need at least low_rpy_deg");
   }
   return mount;
 }
@@ -119,7 +119,7 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
       config.Integer("population", Between(8, kMostPopulation, ""), search.population));
   if (search.population % kInFours != 0) {
     config.Fault("population",
-                 {FaultKind::kOutOfRange, "is no multiple of 4, which NSGA-II needs"});
+                 {FaultKind::kOutOfRange, "is not a multiple of 4, as NSGA-II needs"});
   }
   search.generations = static_cast<int>(
       config.Integer("generations", Between(1, kMostGenerations, ""), search.generations));

@@ -47,7 +47,7 @@ struct Look {
 ///         2. In reach: its distance is within the viewer's limits for the target's reflectance
 ///            times the cosine of incidence. If distances are required, the measuring limits apply
 ///            too. Distances follow the sensor's convention (ViewField::DistanceOf).
-///         3. Dense enough: samples per steradian times cosine over squared range reach
+///         3. Dense enough: (samples per steradian) cos(incidence) / range^2 is at least
 ///            `least_per_m2`.
 ///         4. Free line of sight. Glass does not block it if distances are not required and the
 ///            viewer sees through glass.

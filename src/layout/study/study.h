@@ -89,7 +89,7 @@ struct LayoutStudy {
   InformationStudy information;
   /// Positions of `machine` and `upper` in the study file, for messages.
   std::string machine_place = "study: machine", upper_place = "study: upper";
-  /// Complete with defaults; empty if the study was not read from a file.
+  /// YAML of the study, complete with defaults. Empty if the study was not read from a file.
   std::string resolved_yaml;
 };
 

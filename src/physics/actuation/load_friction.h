@@ -38,8 +38,8 @@ struct LoadFrictionParameters {
   double flex_radps = 0, flex_damping = 0, compliance_radpnm = 0;
 };
 
-/// `effort` is that of the actuator. It is the stall effort if the effect gives none, and the
-/// reference of the leak.
+/// `effort` is the greatest effort of the actuator. It is the reference of the leak, and also the
+/// stall effort if the effect gives no stall effort.
 LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffort& effort);
 
 /// Friction on an axis over a step. Dry friction is at most these magnitudes in either direction

@@ -27,7 +27,7 @@ class SoftRowSolver : public btMultiBodyMLCPConstraintSolver {
     btMultiBodyMLCPConstraintSolver::createMLCPFast(info);
     for (int i = 0; i < m_multiBodyAllConstraintPtrArray.size(); ++i) {
       const btMultiBodySolverConstraint& row = *m_multiBodyAllConstraintPtrArray[i];
-      // Contact rows have a softness of their own, which only the other solver uses.
+      // Contact rows also have a softness, but only Bullet's other solver uses it.
       if (row.m_orgConstraint == nullptr || row.m_cfm == 0) continue;
       m_multiBodyA.setElem(i, i, m_multiBodyA(i, i) + row.m_cfm / row.m_jacDiagABInv);
     }

@@ -12,7 +12,7 @@ namespace tera {
 /// Angle of a point in C from the z axis, 0 to pi.
 double AngleFromAxis(const Vec3& p_C);
 
-/// Image radius over focal length, and its derivative by the angle.
+/// Image radius divided by the focal length, and its derivative by the angle.
 struct LensRadius {
   double rho, slope;
 };

@@ -34,7 +34,7 @@ class PinholePainter {
   PinholePainter(const SceneModel& model, Workers* workers,
                  std::function<void(const char* pass)> done);
 
-  /// Sets the luminance that maps to 1. Empty: by the scene's exposure.
+  /// Sets the luminance that maps to 1. If empty, the scene's exposure determines it.
   void SetWhite(std::optional<double> white_cdpm2) { daylight_.SetWhite(white_cdpm2); }
   /// Draws the scene of `state` into `p`. Also writes the illuminance of the visible surfaces to
   /// `light` unless it is null.

@@ -22,7 +22,7 @@ struct ControlLoop {
 };
 
 struct AutomaticExposure : ControlLoop {
-  double target = 0.18;  ///< mean green signal over its range
+  double target = 0.18;  ///< mean green signal as a share of its range
   double shortest_s = 2e-5, longest_s = 0.03;
   double least_gain_db = 0, most_gain_db = 24;
 };
@@ -42,7 +42,7 @@ struct PictureSettings {
 
 /// Metering result of an image.
 struct Metered {
-  double signal = 0;           ///< mean of green over its range, saturated pixels included
+  double signal = 0;           ///< mean green as a share of its range, with saturated pixels
   Vec3 colour = Vec3::Zero();  ///< means over the unsaturated pixels
 };
 

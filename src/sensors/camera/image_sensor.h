@@ -45,7 +45,7 @@ double LongestExposure_s(const ImageSensorModel& model);
 
 void Serialize(ModelArchive* archive, ImageSensorModel* model);
 
-/// Dark current of a hot pixel over that of other pixels.
+/// Ratio of the dark current of a hot pixel to that of other pixels.
 inline constexpr double kHotPixel = 200;
 /// Photons of daylight from 400 to 700 nm per second, square metre and lux.
 ///

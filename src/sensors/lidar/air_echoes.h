@@ -73,7 +73,7 @@ class AirEchoes {
   const DustVolume* dust_;
   const Stream& draws_;
   double extinction_1pm_ = 0;   ///< of all but dust
-  double fog_reflectance_ = 0;  ///< of one pulse length of fog
+  double fog_reflectance_ = 0;  ///< reflectance of one pulse length of fog
   std::vector<Falling> falling_;
 };
 

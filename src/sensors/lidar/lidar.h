@@ -85,7 +85,8 @@ class Lidar {
   void Detect(std::int64_t k, int begin, const AirEchoes& air, Block* block,
               std::vector<LidarPoint>* points) const;
 
-  /// A beam in the head frame H at the start of its column: its axis, then its other sub-rays.
+  /// Directions of a beam in the head frame H at the start of its column: first its axis, then its
+  /// other sub-rays.
   struct Beam {
     std::vector<Vec3> d_H;
     TimeNs offset_ns;

@@ -16,8 +16,8 @@ double ClockOffset_s(const Effects& effects);
 ///
 /// Model   t + offset + ppm 1e-6 t + d. The terms come from `clock_offset`, `clock_drift` (t since
 ///         the start), and `latency` with d = delay + Exp(jitter), for measurements stamped on
-///         arrival. The order of measurements is kept: one that would overtake its predecessor gets
-///         a time one nanosecond later. The sampling times do not change.
+///         arrival. The order of measurements is kept: a measurement that would overtake its
+///         predecessor is stamped one nanosecond after it. The sampling times do not change.
 /// Omits   Effect of clock drift on the sensor's rate; steps of a clock that is set.
 /// Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS Bulletin
 ///         C 52).

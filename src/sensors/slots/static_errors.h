@@ -41,7 +41,7 @@ class OutlierDraw {
   bool At(std::uint64_t index) const {
     return probability_ > 0 && stream_.Uniform(index) < probability_;
   }
-  /// Standard normal errors. Lane 0 is used by the selection.
+  /// Standard normal errors. Lane 0 is reserved for the selection of outliers.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 1) const {
     return stream_.Gaussian(index, lane);
   }

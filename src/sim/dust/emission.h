@@ -43,8 +43,8 @@ DustMass WindErosion_kg(double potential_kg);
 /// roughness of 5 mm (13.2.5).
 double FrictionVelocity_mps(double wind_10m_mps);
 
-/// Mass of water over mass of dry soil at the degree of saturation S: S (1 / rho - 1 / rho_s)
-/// rho_w. rho is the bank density; rho_s = 2650 kg/m^3 is that of the grains.
+/// Mass of water per mass of dry soil at the degree of saturation S: S (1 / rho - 1 / rho_s) rho_w.
+/// rho is the bank density; rho_s = 2650 kg/m^3 is that of the grains.
 double WaterByMass_percent(double saturation, double bank_density_kgpm3);
 
 /// Settling speed of a sphere in still air by Stokes: rho d^2 g / (18 mu), mu = 18.1 uPa s.

@@ -5,8 +5,8 @@
 namespace tera {
 
 /// Parameters for learning the width of a dead zone. The defaults suit continuous motion. A joint
-/// that must stop at a target needs more cautious values. "Ratio" is the joint's rate over the rate
-/// that an ideal joint (without a dead zone) has at the commanded lever.
+/// that must stop at a target needs more cautious values. "Ratio" is the joint's rate divided by
+/// the rate of an ideal joint (without a dead zone) at the commanded lever.
 struct DeadZoneAdaptation {
   /// Below this ideal lever, only a proportional part of the width is added.
   double transition = 0.05;
@@ -35,8 +35,8 @@ class DeadZoneCompensation {
  public:
   explicit DeadZoneCompensation(const DeadZoneAdaptation& adaptation = {})
       : adaptation_(adaptation) {}
-  /// Real lever for the lever of an ideal joint. `rate_share` is the joint's current rate over its
-  /// rate at full lever, with the sign of the lever.
+  /// Real lever for the lever of an ideal joint. `rate_share` is the joint's current rate divided
+  /// by its rate at full lever, with the sign of the lever.
   double Lever(double ideal_lever, double rate_share, double dt_s);
 
  private:

@@ -83,8 +83,8 @@ class DigCycle : public Operator {
     double slew_rad, r_m;
   };
 
-  /// Target for the tip at a point in W: tip in the arm's plane, and the slew that turns the plane
-  /// there.
+  /// Target that brings the tip to a point in W: the position of the tip in the arm's plane, and
+  /// the slew angle at which this plane contains the point.
   Target InPlane(const OperatorView& view, const Vec3& p_W_m, double pitch_rad) const;
 
   // The functions below apply to a trench.

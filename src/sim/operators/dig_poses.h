@@ -6,11 +6,11 @@
 
 namespace tera::dig {
 
-// Height above the ground before lowering, in bucket lengths.
+// Height of the tip above the ground before it is lowered, in bucket lengths.
 inline constexpr double kClearance = 0.58;
-// the carried load is nearer to the slew axis than the dump place, by this
+// distance by which the carried load is nearer to the slew axis than the dump place
 inline constexpr double kCarryInside_m = 1.6;
-// the carried load is higher than the dump place, by this
+// height of the carried load above the dump place
 inline constexpr double kCarryAbove_m = 0.2;
 // Pitch of the direction from the bucket's pin to its tip.
 inline constexpr double kEntryPitch_rad = -75 * kDeg;

@@ -12,7 +12,8 @@ namespace tera {
 double ServoLever(const MachineModel& model, const MachineState& state, int joint,
                   double target_rad, double target_rate_radps, double gain_1ps);
 
-/// Current rate of a joint over its rate at full lever in that direction. 0 without such a rate.
+/// Current rate of a joint divided by its rate at full lever in that direction. 0 without such a
+/// rate.
 double ShareOfFullRate(const MachineModel& model, const MachineState& state, int joint);
 
 }  // namespace tera

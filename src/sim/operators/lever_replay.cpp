@@ -112,7 +112,7 @@ LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& mod
     const int lever = model.LeverIndex(name);
     if (lever < 0) {
       config.Fault("csv", {FaultKind::kNoSuchName,
-                           "column '" + name + "' is no lever of machine '" + model.kind + "'"});
+                           "column '" + name + "' is not a lever of machine '" + model.kind + "'"});
       continue;
     }
     columns.push_back(name);

@@ -103,8 +103,8 @@ int ReadBlade(const ConfigMap& config, const MachineModel& model) {
   if (has_lever) return joint;
   if (name != "blade") {
     config.Fault("blade", {FaultKind::kNoSuchName,
-                           fmt::format("machine '{}' has no joint '{}' with a lever; name that of "
-                                       "its blade, or leave the key out",
+                           fmt::format("machine '{}' has no joint '{}' with a lever; name the "
+                                       "joint of its blade, or remove the key",
                                        model.kind, name)});
   }
   return -1;

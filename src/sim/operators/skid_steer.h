@@ -14,9 +14,9 @@ struct SkidSteerLevers {
 /// machine lacks them or has no gauge.
 SkidSteerLevers ReadSkidSteerLevers(const ConfigMap& config, const MachineModel& model);
 
-/// Sets the two levers for a forward speed v and a yaw rate w, without slip: v -+ w B / 2 over the
-/// speed at full lever, where B is the gauge. If one exceeds full lever, both are reduced by the
-/// same factor.
+/// Sets the two levers for a forward speed v and a yaw rate w, without slip: (v -+ w B / 2) divided
+/// by the speed at full lever, where B is the gauge. If one exceeds full lever, both are reduced by
+/// the same factor.
 void SetSkidSteer(const MachineModel& model, const SkidSteerLevers& which, double forward_mps,
                   double yaw_rate_radps, std::vector<double>* levers);
 

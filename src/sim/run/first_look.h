@@ -9,7 +9,7 @@
 namespace tera {
 
 /// A small picture of a scenario's first instant, seen from above in the south-west. It is centred
-/// on the machines and wide enough to show nearby things.
+/// on the machines and wide enough to show nearby objects.
 ///
 /// Model   machines as placed, before settling.
 /// Throws  InputError if a mesh cannot be loaded or OpenGL is not available.

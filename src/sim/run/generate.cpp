@@ -88,7 +88,7 @@ GenerateReport Generate(const Scenario& scenario, const std::string& resolved_ya
       }
       auto faults = error.faults();
       faults.emplace_back(
-          fmt::format("what was written is kept in {}: finish it by the same command with "
+          fmt::format("the incomplete dataset is kept in {}: finish it by the same command with "
                       "--resume, or delete it",
                       writer.incomplete_directory().string()));
       throw InputError(std::move(faults));

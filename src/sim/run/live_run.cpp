@@ -76,7 +76,7 @@ Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
 constexpr double kFlush_s = 1.0;
 
 constexpr char kRemedy[] =
-    "simulate again what was commanded until then (tera replay DIRECTORY --out NEW), or delete it";
+    "simulate its commands again (tera replay DIRECTORY --out NEW), or delete it";
 
 std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
                                           const std::string& resolved_yaml, const SceneModel& scene,
@@ -145,7 +145,7 @@ struct LiveRun::Impl {
     } catch (const InputError& error) {
       if (!recorder) throw;
       auto faults = error.faults();
-      faults.emplace_back(fmt::format("what was recorded is kept in {}: {}",
+      faults.emplace_back(fmt::format("the incomplete recording is kept in {}: {}",
                                       recorder->incomplete_directory().string(), kRemedy));
       throw InputError(std::move(faults));
     }

@@ -26,12 +26,11 @@ MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inpu
   MovedFiles moved{text.substr(0, equals), text.substr(equals + 1)};
   if (std::none_of(inputs.begin(), inputs.end(),
                    [&](const RecordedInput& input) { return Concerns(moved, input.name); })) {
-    throw InputError(
-        "--moved " + text,
-        {FaultKind::kNoSuchName,
-         fmt::format("no input of the recording is '{}' or below it; need a name that its "
-                     "dataset.yaml lists, or a folder that such a name begins with",
-                     moved.from)});
+    throw InputError("--moved " + text,
+                     {FaultKind::kNoSuchName,
+                      fmt::format("no input of the recording is '{}' or below it; need a name that "
+                                  "dataset.yaml lists, or the folder of such a name",
+                                  moved.from)});
   }
   return moved;
 }
@@ -45,11 +44,10 @@ void RequireAmong(const std::vector<InputFile>& checked, const std::vector<Input
   for (const InputFile& file : read) {
     const std::string name = PortableName(file.path);
     if (known.contains(name)) continue;
-    throw InputError(
-        scenario_file.string(),
-        fmt::format("now reads {}, which the recorded run did not; move it away, or say where the "
-                    "files are that dataset.yaml lists by --moved OLD=NEW",
-                    name));
+    throw InputError(scenario_file.string(),
+                     fmt::format("reads {}, which the recorded run did not read; move it away, or "
+                                 "give the place of the recorded files with --moved OLD=NEW",
+                                 name));
   }
 }
 
@@ -63,7 +61,7 @@ LoadedScenario ScenarioOf(const std::filesystem::path& recording,
   std::vector<MovedFiles> moved;
   for (const std::string& text : moved_texts) moved.push_back(Moved(text, recorded));
   std::vector<InputFile> inputs =
-      RequireInputs(recorded, moved, "put that file back, or say where it is by --moved OLD=NEW");
+      RequireInputs(recorded, moved, "restore that file, or give its place with --moved OLD=NEW");
   LoadedScenario loaded = LoadScenario(scenario_file, overrides, {}, moved);
   if (overrides.empty()) loaded.resolved_yaml = ReadWholeFile(scenario_file);
   if (!recorded.empty()) {
@@ -123,17 +121,16 @@ void RequireAnotherPlace(const std::filesystem::path& recording, const std::file
     if (IsAt(recording, written)) {
       throw InputError(
           "--out " + out.string(),
-          {FaultKind::kUnwritable, fmt::format("would be written to {}, which is the recording to "
-                                               "be replayed; give it another name",
-                                               written.string())});
+          {FaultKind::kUnwritable,
+           fmt::format("would be written to {}, the recording to replay; give it another name",
+                       written.string())});
     }
     if (IsInside(recording, written)) {
       throw InputError(
           "--out " + out.string(),
           {FaultKind::kUnwritable,
-           fmt::format(
-               "lies inside {}, which is the recording to be replayed; choose a folder outside it",
-               recording.string())});
+           fmt::format("lies inside {}, the recording to replay; choose a folder outside it",
+                       recording.string())});
     }
   }
 }

@@ -22,7 +22,7 @@ LeverReplayPlan Replayed(TableRecording table, const MachinePlacement& machine,
   for (const Lever& lever : machine.model.levers) names.push_back(lever.name);
   if (table.columns != names) {
     throw InputError(shown, fmt::format("the columns are not the levers of machine '{}'; need the "
-                                        "scenario.yaml that the recording was made with",
+                                        "scenario.yaml of the recording",
                                         machine.name));
   }
   std::vector<int> lever_of_column;
@@ -77,7 +77,7 @@ void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* sc
   if (steps < 2) {
     throw InputError(
         directory.string(),
-        {FaultKind::kMalformed, "was stopped before any command came to the disk; delete it"});
+        {FaultKind::kMalformed, "was stopped before it wrote a command to the disk; delete it"});
   }
   scenario->duration_s = static_cast<double>(steps - 1) / scenario->physics_rate_hz;
 }

@@ -30,11 +30,12 @@ int LimbNamed(const ConfigMap& config, const char* key, const std::vector<Obstac
   const std::string name = config.Text(key);
   const auto found = std::ranges::find(limbs, name, &ObstacleLimb::name);
   if (found != limbs.end()) return static_cast<int>(found - limbs.begin());
-  config.Fault(key,
-               {FaultKind::kNoSuchName,
-                fmt::format("'{}' is no limb named above it; need the name of one, or leave it "
-                            "out for the body",
-                            name)});
+  config.Fault(
+      key,
+      {FaultKind::kNoSuchName,
+       fmt::format(
+           "'{}' is not a limb named above it; need the name of one, or remove it for the body",
+           name)});
   return -1;
 }
 

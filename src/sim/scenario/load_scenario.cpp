@@ -14,9 +14,11 @@ void LayEpisode(std::uint64_t episode, Config* config) {
   const ConfigMap root = config->root();
   if (!root.Has("randomise")) {
     if (episode == 0) return;
-    root.Fault("randomise", fmt::format("nothing is drawn, so that there is no episode {}; leave "
-                                        "--episode out, or write what is to be drawn",
-                                        episode));
+    root.Fault(
+        "randomise",
+        fmt::format(
+            "is missing, so there is no episode {}; remove --episode, or write the values to draw",
+            episode));
     return;
   }
   std::vector<Config::GivenValue> values = DrawEpisode(root, SeedOf(root), episode);

@@ -65,12 +65,12 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
     return std::nullopt;
   }
   if (model.joints[joint].type == JointType::kFixed) {
-    start.Fault(places.key, fmt::format("'{}' does not move; leave it out", name));
+    start.Fault(places.key, fmt::format("'{}' does not move; remove it", name));
     return std::nullopt;
   }
   if (const int leader = LeaderOf(model, joint); leader != joint) {
-    start.Fault(places.key, fmt::format("'{}' follows joint '{}'; say where that one is", name,
-                                        model.joints[leader].name));
+    start.Fault(places.key, fmt::format("'{}' follows joint '{}'; give the position of that joint",
+                                        name, model.joints[leader].name));
     return std::nullopt;
   }
   if ((model.joints[joint].type == JointType::kPrismatic) != places.slide) {

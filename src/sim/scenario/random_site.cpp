@@ -94,7 +94,7 @@ SitePlanner::Spread SitePlanner::SpreadAt(const ConfigMap& config, const char* k
                                           const Range& range) const {
   const std::vector<double> ends = config.Numbers(key, range, 2, 2);
   if (ends.size() != 2) return {};
-  if (ends[1] < ends[0]) config.Fault(key, "ends lie the other way about, need [least, most]");
+  if (ends[1] < ends[0]) config.Fault(key, "the ends are swapped, need [least, most]");
   return {ends[0], std::max(ends[0], ends[1])};
 }
 

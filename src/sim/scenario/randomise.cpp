@@ -38,7 +38,7 @@ struct Interval {
 Interval IntervalAt(const ConfigMap& entry, std::string_view key, const Range& range) {
   const std::vector<double> ends = entry.Numbers(key, range, 2, 2);
   if (ends.size() != 2) return {};
-  if (ends[1] < ends[0]) entry.Fault(key, "ends lie the other way about, need [least, most]");
+  if (ends[1] < ends[0]) entry.Fault(key, "the ends are swapped, need [least, most]");
   return {ends[0], std::max(ends[0], ends[1])};
 }
 
@@ -131,7 +131,7 @@ double Draw::Normal(const ConfigMap& entry, double share) const {
     cut = within;
     below = {cdf(normal, within.lower), cdf(normal, within.upper)};
     if (below.upper <= below.lower) {
-      entry.Fault("within", "holds nothing of that distribution; widen it");
+      entry.Fault("within", "contains no value of the distribution; widen it");
       return of[0];
     }
   }
@@ -262,7 +262,7 @@ void Draw::WholeSite(const ConfigMap& entry) {
   const SiteDraw draw{seed_, episode_, &scenario_, &values_};
   const ConfigMap site = entry.Map("site");
   if (std::exchange(has_site_, true))
-    site.Fault("", {FaultKind::kRepeated, "is the second site, need one entry"});
+    site.Fault("", {FaultKind::kRepeated, "is the second site, need only one"});
   std::vector<Config::GivenValue> lists;
   for (auto& [key, yaml] : DrawSite(site, draw)) {
     lists.push_back({key, std::move(yaml), fmt::format("{} (drawn)", entry.Place())});

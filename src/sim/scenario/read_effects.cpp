@@ -23,7 +23,7 @@ class TargetReader {
   explicit TargetReader(const ConfigMap& config) : config_(config) {}
 
   Effects Read(const std::string& name, EffectTarget target, std::span<const Mechanism> library) {
-    if (!IsMappingOf("mechanisms, {MECHANISM: {PARAMETER: VALUE}}, and none for one to take away",
+    if (!IsMappingOf("mechanisms, {MECHANISM: {PARAMETER: VALUE}}, or none to remove a mechanism",
                      config_, name)) {
       return {};
     }
@@ -113,8 +113,8 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
   effects.pumps.resize(model->pumps.size());
   effects.learned.resize(model->joints.size() + model->ground_tools.gears.size());
   constexpr std::string_view kNeed =
-      "what its effects act on, {TARGET: {MECHANISM: {PARAMETER: VALUE}}}; a target is a joint, a "
-      "track or wheel set, a pump, a sensor or base";
+      "the targets of its effects, {TARGET: {MECHANISM: {PARAMETER: VALUE}}}; a target is a joint, "
+      "a track or wheel set, a pump, a sensor or base";
   const bool overlaid = scenario_effects && IsMappingOf(kNeed, *scenario_effects, name);
   const auto map = overlaid ? machine.OptionalMapUnder("effects", *scenario_effects, name)
                             : machine.OptionalMap("effects");

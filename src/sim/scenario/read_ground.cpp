@@ -51,8 +51,8 @@ void CheckTools(const ConfigMap& config, const MachineModel& model) {
     if (shovel.link != 0) continue;
     config.Fault("ground", "shovel '" + shovel.name + "' is on the root link '" +
                                model.links[0].name +
-                               "', where ground: kinematic cannot tell its force from the tracks'; "
-                               "give it a link of its own with a joint of type fixed");
+                               "', where ground: kinematic cannot separate its force from that of "
+                               "the tracks; give it its own link with a joint of type fixed");
   }
 }
 
@@ -71,9 +71,9 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
   if (model->ground != GroundModel::kKinematic) {
     for (const std::string_view id : kOfSlip) {
       if (!FindEffect(model->effects.base, id)) continue;
-      FaultOfBase(config, id,
-                  "acts only on a machine with ground: kinematic; choose that or take the effect "
-                  "away");
+      FaultOfBase(
+          config, id,
+          "acts only on a machine with ground: kinematic; choose that or remove the effect");
     }
   }
   if (model->ground == GroundModel::kKinematic) {
@@ -102,7 +102,7 @@ void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
   const Vec2 nearest_m = centre_m.cwiseMax(low_m).cwiseMin(high_m);
   if ((centre_m - nearest_m).norm() < reach_m) return;
   FaultOfBase(config, "terrain_height",
-              fmt::format("raises ground beyond the site alone; need a place within {:g} m of x "
+              fmt::format("raises ground only outside the site; need a place within {:g} m of x "
                           "{:g} to {:g} m, y {:g} to {:g} m",
                           reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }

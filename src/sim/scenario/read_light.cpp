@@ -47,7 +47,7 @@ double MeteredEv100(const Environment& environment) {
 void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment* environment) {
   const std::string text = config.Text("time");
   for (const char* key : {"sun_azimuth_deg", "sun_elevation_deg"}) {
-    if (config.Has(key)) config.Fault(key, "given beside time, which says it; keep one");
+    if (config.Has(key)) config.Fault(key, "given beside time, which determines it; keep one");
   }
   const std::optional<TimeNs> utc_ns = ParseUtc(text);
   if (!utc_ns) {
@@ -76,8 +76,8 @@ ScenarioLamp ReadLamp(const ConfigMap& config, const MachineOfName& machine_of) 
   lamp.link = config.Text("link");
   const MachineModel* machine = machine_of(lamp.machine);
   if (machine == nullptr) {
-    config.Fault("machine",
-                 {FaultKind::kNoSuchName, "'" + lamp.machine + "' is no machine of this scenario"});
+    config.Fault("machine", {FaultKind::kNoSuchName,
+                             "'" + lamp.machine + "' is not a machine of this scenario"});
     return lamp;
   }
   std::vector<std::string> links;
@@ -85,7 +85,7 @@ ScenarioLamp ReadLamp(const ConfigMap& config, const MachineOfName& machine_of) 
   if (!lamp.link.empty() && std::ranges::count(links, lamp.link) == 0) {
     config.Fault("link",
                  {FaultKind::kNoSuchName,
-                  fmt::format("'{}' is no link of {}{}; need one of {}", lamp.link, lamp.machine,
+                  fmt::format("'{}' is not a link of {}{}; need one of {}", lamp.link, lamp.machine,
                               DidYouMean(lamp.link, links), fmt::join(links, ", "))});
   }
   return lamp;
@@ -104,7 +104,7 @@ Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin) {
   environment.sun_illuminance_klx =
       config.Number("sun_illuminance_klx", AtLeast(0, "klx"), environment.sun_illuminance_klx);
   if (is_timed && environment.to_sun_W.z() <= 0 && environment.sun_illuminance_klx > 0) {
-    config.Fault("sun_illuminance_klx", "the sun is below the horizon at that time; leave it out");
+    config.Fault("sun_illuminance_klx", "the sun is below the horizon at that time; remove it");
   }
   environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
   // Read as optional, so that the resolved scenario contains no default visibility. As an explicit

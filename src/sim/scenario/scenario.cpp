@@ -172,9 +172,9 @@ void ReadTips(const ConfigMap& config, ScenarioObstacle* obstacle) {
     }
   }
   if (!angles.empty() && !obstacle->bed) {
-    config.Fault("tips", {FaultKind::kInconsistent,
-                          "there is no bed that could tip; give the obstacle a 'bed' or leave out "
-                          "'tips'"});
+    config.Fault("tips",
+                 {FaultKind::kInconsistent,
+                  "the obstacle has no bed that could tip; give it a 'bed' or remove 'tips'"});
   }
 }
 
@@ -201,10 +201,11 @@ void ReadDynamic(const ConfigMap& config, ScenarioObstacle* obstacle) {
                                "a dynamic obstacle needs boxes that touch ground and machines"});
   }
   const auto refuse = [&](const char* key) {
-    config.Fault(key, {FaultKind::kInconsistent,
-                       fmt::format("forces move a dynamic obstacle, it can have no {}; leave out "
-                                   "'dynamic' or '{}'",
-                                   key, key)});
+    config.Fault(
+        key, {FaultKind::kInconsistent,
+              fmt::format(
+                  "forces move a dynamic obstacle, so it can have no {}; remove 'dynamic' or '{}'",
+                  key, key)});
   };
   if (!obstacle->path.empty()) refuse("path");
   if (obstacle->bed) refuse("bed");
@@ -239,7 +240,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
     std::vector<std::string> names;
     for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
     config.Fault("label", {FaultKind::kNoSuchName,
-                           "'" + label + "' is no semantic class" + DidYouMean(label, names)});
+                           "'" + label + "' is not a semantic class" + DidYouMean(label, names)});
   }
   obstacle.visual.mesh = config.File("mesh");
   obstacle.visual.node = config.Text("node", "body");
@@ -330,10 +331,10 @@ void LetWeatherAct(const ConfigMap& environment, double rain_mmph, Site* site) {
   if (weather.rain_mmph <= 0 && weather.evaporation_mmpd <= 0) return;
   const bool is_wet = !site->has_weather_before();
   if (site->LetWeatherAct(weather, is_wet)) return;
-  environment.Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
-                    {FaultKind::kOutOfRange,
-                     "changes more kinds of soil than there is room for, 255; need fewer soils, or "
-                     "no weather during the run"});
+  environment.Fault(
+      weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
+      {FaultKind::kOutOfRange,
+       "needs more than 255 kinds of soil; need fewer soils, or no weather during the run"});
 }
 
 /// Origin of the site: from the scenario, else from the terrain's GeoTIFF, else the default.
@@ -357,7 +358,7 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
                     "name '" + name + "' is used twice; give each machine and obstacle its own"});
     }
     if (name == "truth") {
-      config.Fault(key, "name 'truth' is a folder that every dataset has; choose another");
+      config.Fault(key, "name 'truth' is reserved for a folder of every dataset; choose another");
     }
   };
   for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");

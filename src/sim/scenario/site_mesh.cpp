@@ -54,7 +54,7 @@ SemanticClass LabelAt(const ConfigMap& config) {
   std::vector<std::string> names;
   for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
   config.Fault("label", {FaultKind::kNoSuchName,
-                         "'" + label + "' is no semantic class" + DidYouMean(label, names)});
+                         "'" + label + "' is not a semantic class" + DidYouMean(label, names)});
   return SemanticClass::kStructure;
 }
 
@@ -115,12 +115,11 @@ void SetGround(const ConfigMap& config, const ConfigMap& terrain, const Mesh& me
   const auto gap = std::find_if(top.height_m.begin(), top.height_m.end(), is_gap);
   if (gap != top.height_m.end()) {
     const auto at = static_cast<int>(gap - top.height_m.begin());
-    config.Fault("",
-                 fmt::format("{} of {} heights of the site have nothing below, the first at "
-                             "({:.2f}, {:.2f}) m; close the gaps, or need a smaller "
-                             "terrain.size_m",
-                             std::count_if(gap, top.height_m.end(), is_gap), top.height_m.size(),
-                             low_m.x() + cell_m * (at % nx), low_m.y() + cell_m * (at / nx)));
+    config.Fault(
+        "", fmt::format("{} of {} heights of the site have no mesh below, the first at ({:.2f}, "
+                        "{:.2f}) m; close the gaps, or choose a smaller terrain.size_m",
+                        std::count_if(gap, top.height_m.end(), is_gap), top.height_m.size(),
+                        low_m.x() + cell_m * (at % nx), low_m.y() + cell_m * (at / nx)));
     return;
   }
   site->ground = GivenGround{nx, ny, cell_m, {top.height_m.begin(), top.height_m.end()}};

@@ -30,8 +30,8 @@ int CellsIn(const ConfigMap& config, std::string_view key, const TerrainGrid& si
   const double cells = length_m / site.cell_m;
   if (std::abs(cells - std::round(cells)) > kRounding * cells) {
     config.Fault(key, {FaultKind::kOutOfRange,
-                       fmt::format("{} m is no whole multiple of the site's cell of {} m", length_m,
-                                   site.cell_m)});
+                       fmt::format("{} m is not a whole multiple of the site's cell of {} m",
+                                   length_m, site.cell_m)});
   }
   return std::max(1, static_cast<int>(std::lround(cells)));
 }
@@ -45,7 +45,7 @@ std::vector<GroundRaster> ReadRasters(const ConfigMap& config) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
       config.Fault("terrain", {FaultKind::kNoSuchName,
-                               fmt::format("'{}' is no raster of the ground{}; need some of {}",
+                               fmt::format("'{}' is not a raster of the ground{}; need some of {}",
                                            name, DidYouMean(name, known), fmt::join(known, ", "))});
       continue;
     }

@@ -30,7 +30,7 @@ void RequireState(const std::filesystem::path& dataset) {
   throw InputError(
       (dataset / kStateFile).string(),
       {FaultKind::kUnreadable,
-       "is not there; need a dataset whose state was kept by `tera generate --keep-state`"});
+       "is missing; need a dataset with the state that `tera generate --keep-state` keeps"});
 }
 
 std::string StateHeader(const std::string& resolved_yaml, std::size_t columns) {

@@ -33,7 +33,7 @@ StatePlayback::StatePlayback(const Scenario& scenario, const std::string& resolv
       ground_(scenario.site->surface()),
       weather_(scenario.site->weather()) {
   if (file_.header() != StateHeader(resolved_yaml, columns_)) {
-    Fail("was kept of another scenario, or by another version of TERA");
+    Fail("belongs to another scenario or another version of TERA");
   }
   const std::optional<Block> start = file_.Next();
   if (!start || !StartFrom(scenario, NumbersOf(start->front()), &state_) || !LoadBlock()) {

@@ -32,9 +32,9 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
 /// Source  Terzaghi 1943; Das, Principles of Geotechnical Engineering, ch. 11.
 double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa);
 
-/// Stiffness factor of soil: its bearing modulus over that of undisturbed soil. `density_share` is
-/// its density over that of undisturbed soil. The factor is density_share to the power 12.4, at
-/// most 1.
+/// Stiffness factor of soil: its bearing modulus divided by that of undisturbed soil.
+/// `density_share` is its density divided by that of undisturbed soil. The factor is density_share
+/// to the power 12.4, at most 1.
 /// Source  Fit to loose and dense sand. Moduli of subgrade reaction, 13 and 160 MN/m^3: Terzaghi,
 ///         Geotechnique 5, 1955. Densities, 1.43 and 1.75 t/m^3: Terzaghi and Peck 1967, table 6.3.
 double FirmnessAt(double density_share);

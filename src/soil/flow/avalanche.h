@@ -61,7 +61,8 @@ class Avalanche {
     return k < motion_.size() ? Vec2(motion_[k].face_mps[kX], motion_[k].face_mps[kY])
                               : Vec2(Vec2::Zero());
   }
-  /// Number of columns to visit in the next step, without those that change until then.
+  /// Number of columns that the next step must visit. Columns that change before that step are
+  /// added later.
   std::size_t active_count() const { return active_.size(); }
 
  private:

@@ -69,7 +69,7 @@ class LayeredBanks {
   static constexpr int kAngles = 29;
   struct Soil {
     double weight_npm3, crack_m, tan_friction;
-    /// horizontal over vertical extent of the slip surface; 0 for vertical
+    /// horizontal extent of the slip surface divided by its vertical extent; 0 for a vertical one
     std::array<double, kAngles> goes;
     /// resistance from cohesion against the motion of the block
     std::array<double, kAngles> hold_pa;

@@ -10,9 +10,9 @@
 ///         Normal and friction stresses on the spiral act towards its pole, so that moments about
 ///         the pole give P. The part of P from weight acts at the lower third of the blade. The
 ///         part from cohesion, adhesion and surcharge acts at its middle. Exit angle and turn are
-///         those of least P. Without turn, the spiral is a plane and P is that of the earthmoving
-///         equation. Inertia acts along the surface; shear on the flanks acts at the centre of
-///         their area.
+///         those that minimise P. Without turn, the spiral is a plane and P is that of the
+///         earthmoving equation. Inertia acts along the surface; shear on the flanks acts at the
+///         centre of their area.
 /// Omits   A plane zone above the spiral. Where soil rubs on soil, P is 7 to 11 % above the tables
 ///         of Caquot and Kerisel (1948) at 30 to 40 deg. The search finds the least P within 1 % on
 ///         level ground and 13 % on slopes of 25 deg. These figures hold for blades that lean back

@@ -4,15 +4,14 @@
 
 /// Fundamental earthmoving equation: the force that a plane blade needs to cut soil.
 ///
-/// Model   The wedge between blade and slip plane is in limit equilibrium:
-///         P = w (rho g d^2 N_gamma + c d N_c + c_a d N_a + q d N_q) + inertia.
-///         The angle beta of the slip plane is that of least P. All angles are from horizontal,
-///         gravity is vertical, and `depth_m` is the height of the surface above the edge. Where
-///         the surface rises ahead by `slope_rad`, the slip plane ends d / (tan beta - tan slope)
-///         ahead. This length sets the size of the wedge, of the slip plane and of the blade in the
-///         ground. Soil on the blade behind the vertical through the edge counts with its full
-///         weight (Luengo's swept volume). Shear on the two flanks of the wedge adds to the
-///         cohesion of the slip plane.
+/// Model   The wedge between blade and slip plane is in limit equilibrium: P = w (rho g d^2 N_gamma
+///         + c d N_c + c_a d N_a + q d N_q) + inertia. The angle beta of the slip plane minimises
+///         P. All angles are from horizontal, gravity is vertical, and `depth_m` is the height of
+///         the surface above the edge. Where the surface rises ahead by `slope_rad`, the slip plane
+///         ends d / (tan beta - tan slope) ahead. This length sets the size of the wedge, of the
+///         slip plane and of the blade in the ground. Soil on the blade behind the vertical through
+///         the edge counts with its full weight (Luengo's swept volume). Shear on the two flanks of
+///         the wedge adds to the cohesion of the slip plane.
 /// Omits   Bent blades, the rest of the tool, three-dimensional wedges beyond the shear on the
 ///         flanks.
 /// Source  Reece 1964; McKyes 1985, Soil Cutting and Tillage; slope: Luengo, Singh and Cannon 1998.

@@ -18,9 +18,9 @@ using HeapRelief = std::function<double(double along_m, double across_m)>;
 ///         x is along `right`, their y along B's y axis, their heights along `up`.
 /// Model   A column reaches from the shell to the lowest of three surfaces. These are a plane, the
 ///         cones that rise at the heap's slope from all points of the mouth's rim, and overhanging
-///         shell above. The plane bulges slightly towards the middle of the mouth, less the steeper
-///         it lies. The relief is subtracted. Surface and shell are linear over triangles between
-///         columns.
+///         shell above. The plane bulges slightly towards the middle of the mouth; a steeper plane
+///         bulges less. The relief is subtracted. Surface and shell are linear over triangles
+///         between columns.
 /// Omits   Hollows of the shell above the lowest one of a column.
 class HeapGrid {
  public:

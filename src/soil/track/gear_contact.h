@@ -73,7 +73,7 @@ class GearContact {
   struct Pressed;
   void ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles, GearSum* sum);
   struct Row {
-    /// position along the patch from its middle; pressure over the mean pressure
+    /// position along the patch from its middle; pressure divided by the mean pressure
     double along_m, share;
   };
   const std::vector<Row>& RowsOf(std::size_t patch_index, double cell_m);

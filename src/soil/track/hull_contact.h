@@ -9,17 +9,18 @@ namespace tera {
 /// Contact of a point of the machine's structure with the ground.
 ///
 /// Frames  W.
-/// Model   A spring and damper act along the shortest way out of the ground (GroundExit), so that
-///         the wall of a pit pushes a point sideways. A second spring acts across the way and
-///         yields at the limit of Coulomb friction. The ground only pushes. The first spring is
-///         compressed by the motion of the point into the ground, at most to the length of the way.
-///         So soil heaped over a point does not lift it. A spring becomes longer only by motion
-///         against its force. So the ground returns at most the work that it received, even if the
-///         way turns. If a low obstacle is deeper than the ground, it bears the point instead.
-///         Loose soil yields at its bearing capacity under a square footing. The footing is as wide
-///         as a 1:1 cone at the depth of the point. So a ridge is ploughed, and a fill bears after
-///         some centimetres. Stiffness and damping scale with the mass of the machine, and the
-///         contact width with its cube root. Similar machines then sink in similarly.
+/// Model   A spring and damper act along the shortest path out of the ground (GroundExit), so that
+///         the wall of a pit pushes a point sideways. A second spring acts perpendicular to this
+///         path and yields at the limit of Coulomb friction. The ground only pushes. The first
+///         spring is compressed by the motion of the point into the ground, at most to the length
+///         of the path. So soil heaped over a point does not lift it. A spring becomes longer only
+///         by motion against its force. So the ground returns at most the work that it received,
+///         even if the direction of the path changes. If a low obstacle is deeper than the ground,
+///         it bears the point instead. Loose soil yields at its bearing capacity under a square
+///         footing. The footing is as wide as a 1:1 cone at the depth of the point. So a ridge is
+///         ploughed, and a fill bears after some centimetres. Stiffness and damping scale with the
+///         mass of the machine, and the contact width with its cube root. Similar machines then
+///         sink in similarly.
 /// Omits   Changes of the ground, weight of soil on the structure, strength limit of soil that is
 ///         not loose.
 /// Source  Footing in loose soil: Terzaghi 1943, see BearingPressure_pa.

@@ -15,7 +15,7 @@ namespace tera {
 /// Model   From above, an obstacle counts as a surface: the upper faces of its boxes. A tilted box
 ///         is a ramp. Beside a box the height falls at 45 deg to the foot of the box. The round end
 ///         of a sprocket overhangs an edge about as far before it touches. For a point inside a
-///         box, the way out is the shortest one through any face except the lowest. Queries ignore
+///         box, the path out is the shortest one through any face except the lowest. Queries ignore
 ///         obstacles that rise higher than the given climb height.
 /// Omits   Obstacles that sink, tilt or slip under running gear.
 class LowObstacles {
@@ -39,13 +39,13 @@ class LowObstacles {
     GroundExit way;
     Vec3 v_W_mps;
   };
-  /// The way out of the box in which `p_W_m` is deepest; empty if it is in none.
+  /// The path out of the box in which `p_W_m` lies deepest; empty if the point is in no box.
   std::optional<Exit> ExitFrom(const Vec3& p_W_m, double climb_m) const;
 
  private:
   struct Placed {
     RigidObstacle obstacle;
-    double reach_m;  ///< radius about its origin that contains it and its slopes
+    double reach_m;  ///< radius about the origin that contains the obstacle and its slopes
     BodyState state;
   };
   std::optional<Top> HighestAt(double x_m, double y_m, double climb_m) const;

@@ -55,7 +55,7 @@ class RollingMemory {
   Rolling State() const;
 
  private:
-  /// excess of the rim's way over the wheel's way, relative to the wheel's way
+  /// (path of the rim - path of the wheel) / path of the wheel
   double slipped_ = 0;
   double rolled_ = 0, aside_ = 0;
 };

@@ -25,8 +25,9 @@ double ShearMobilisation(const SoilType& soil, double j_m);
 /// Width of a patch for the pressure-sinkage relation.
 double PlateWidth_m(const ContactPatch& patch);
 
-/// Pressure at `along_m` from the middle of a patch over the mean pressure. It is Wills' multi-peak
-/// sine 1 + cos(2 pi x / pitch), where x is the distance from a road wheel. Its mean is 1.
+/// Pressure at `along_m` from the middle of a patch, divided by the mean pressure. It is Wills'
+/// multi-peak sine 1 + cos(2 pi x / pitch), where x is the distance from a road wheel. Its mean is
+/// 1.
 double PressureShare(const ContactPatch& patch, double along_m);
 
 /// Resistance of the soil that gear of width b at sinkage z pushes ahead and aside: b (0.67 c z
@@ -87,7 +88,7 @@ struct ShearStrength {
   double force_n() const { return soil.shear_cohesion_pa * area_m2 + normal_n * tan_friction; }
 };
 
-/// Shear force on the gear. `mobilised` is the stress over the strength, `j_m` the shear
+/// Shear force on the gear. `mobilised` is the stress divided by the strength, `j_m` the shear
 /// displacement. Damping fades with the slip speed.
 Vec2 ShearForce_n(const ShearStrength& strength, const Vec2& mobilised, double j_m,
                   const Vec2& slip_mps);

@@ -89,11 +89,11 @@ void HintAtMaps(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m, cons
   const Vec3 gap_m = (a.low_m - b.high_m).cwiseMax(b.low_m - a.high_m).cwiseMax(0.0);
   if (gap_m.norm() < kOfMaps_m) return;
   const Vec3 middle_m = 0.5 * (a.low_m + a.high_m);
-  hints->push_back(fmt::format(
-      "B lies {:.0f} km from A at the start: coordinates of a map in one, of a site in "
-      "the other? give B's place in A, as --start X Y Z ROLL PITCH YAW; the middle of A "
-      "is ({:.1f}, {:.1f}, {:.1f})",
-      gap_m.norm() / 1000, middle_m.x(), middle_m.y(), middle_m.z()));
+  hints->push_back(
+      fmt::format("B lies {:.0f} km from A at the start: map coordinates in one, site coordinates "
+                  "in the other? give B's pose in A with --start X Y Z ROLL PITCH YAW; the middle "
+                  "of A is ({:.1f}, {:.1f}, {:.1f})",
+                  gap_m.norm() / 1000, middle_m.x(), middle_m.y(), middle_m.z()));
 }
 
 }  // namespace

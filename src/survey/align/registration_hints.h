@@ -7,8 +7,9 @@
 
 namespace tera {
 
-/// Possible reasons why two clouds could not be registered, as sentences. Either a cloud fits after
-/// a change of its unit of length, or the clouds are as far apart as map coordinates are.
+/// Possible reasons why two clouds could not be registered, as sentences. A cloud may fit after a
+/// change of its unit of length. Or the clouds may be far apart, because only one of them has map
+/// coordinates.
 ///
 /// Model   A cloud is converted from millimetres, centimetres and feet. If the sizes of the clouds
 ///         are then similar, Register aligns them again.

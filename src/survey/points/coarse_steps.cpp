@@ -80,12 +80,12 @@ std::optional<CoarseSteps> StepsOfDigits(const PointCloud& cloud) {
   }
   if (are_single && single->step_m > kFineStep_m) {
     single->cause =
-        "its coordinates are too large for single precision; export it in double or about a local "
-        "origin";
+        "its coordinates are too large for single precision; export it in double precision or with "
+        "a local origin";
     return single;
   }
   if (!few || !SharePlaces(cloud)) return std::nullopt;
-  few->cause = "its coordinates are written with too few digits; export it with more of them";
+  few->cause = "its coordinates have too few digits; export it with more digits";
   return few;
 }
 

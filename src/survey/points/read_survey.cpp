@@ -47,7 +47,7 @@ bool IsRaster(const std::filesystem::path& file) {
   throw InputError(
       file.string(),
       {FaultKind::kUnsupported,
-       fmt::format("'{}' is no ending of a survey that is known; need .pcd, .ply, .las or .tif{}",
+       fmt::format("'{}' is an unknown extension of a survey; need .pcd, .ply, .las or .tif{}",
                    ending, RemedyFor(file, ending))});
 }
 
@@ -73,7 +73,7 @@ std::optional<MapReference> OwnMap(const std::filesystem::path& file, const Poin
       const InputFault& first = fault.faults().front();
       throw InputError(
           first.place,
-          {first.kind, first.finding + " (tera site takes --map or --local in its place)"});
+          {first.kind, first.finding + " (tera site accepts --map or --local instead)"});
     }
     warnings->push_back(fmt::format("{}; {} counts", fault.what(),
                                     how.is_local ? std::string("--local") : how.map));
@@ -88,10 +88,10 @@ void RequireFineSteps(const std::filesystem::path& file, const PointCloud& cloud
   const std::string finding =
       fmt::format("{} has steps of {:g} m: {}", found->axis, found->step_m, found->cause);
   if (found->step_m > how.coarsest_step_m) {
-    throw InputError(file.string(),
-                     {FaultKind::kOutOfRange,
-                      fmt::format("{} (for a site, --cell of {:g} or more takes them as they are)",
-                                  finding, found->step_m)});
+    throw InputError(
+        file.string(),
+        {FaultKind::kOutOfRange, fmt::format("{} (for a site, --cell of {:g} or more accepts them)",
+                                             finding, found->step_m)});
   }
   warnings->push_back(fmt::format("{}: {}", file.string(), finding));
 }
@@ -114,12 +114,12 @@ Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how) {
   if (survey.map) {
     throw InputError(file.string(),
                      {FaultKind::kInconsistent,
-                      fmt::format("is in '{}' already; leave out --map", survey.map->name)});
+                      fmt::format("is already in '{}'; remove --map", survey.map->name)});
   }
   survey.map = ReadMapReference("--map", how.map);
   if (!survey.map) {
-    throw InputError("--map",
-                     {FaultKind::kUnsupported, "is a local system; need one of the earth, EPSG:n"});
+    throw InputError("--map", {FaultKind::kUnsupported,
+                               "is a local system; need a system of the Earth, EPSG:n"});
   }
   RequireOnMap("--map", *survey.map, SomePlace(survey.p_m));
   return survey;

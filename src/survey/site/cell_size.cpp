@@ -63,8 +63,8 @@ double CellSize(const std::filesystem::path& file, const std::vector<Vec3>& p_m,
     if (size_m == 0) {
       throw InputError(file.string(),
                        {FaultKind::kUnsupported,
-                        fmt::format("its points lie so sparsely that even of cells of {} m fewer "
-                                    "than half have one; need a denser survey, or give --cell",
+                        fmt::format("its points are too sparse: fewer than half of the cells of {} "
+                                    "m have one; need a denser survey, or give --cell",
                                     kSizes_m.back())});
     }
     return size_m;

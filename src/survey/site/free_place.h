@@ -8,7 +8,7 @@ namespace tera {
 
 struct PlaceNeed {
   double radius_m = 2.5;       ///< radius of the circle of level, measured ground
-  double clearance_m = 4;      ///< distance from things and from the border of the survey
+  double clearance_m = 4;      ///< distance from objects and from the border of the survey
   double most_relief_m = 0.5;  ///< largest height difference of the ground in the circle
 };
 

@@ -26,7 +26,7 @@ namespace tera {
 ///         measurements from airborne LIDAR data".
 struct GroundRule {
   double square_m = 0.3;
-  double largest_thing_m = 6;  ///< size of the largest thing on the ground, along its shorter side
+  double largest_thing_m = 6;  ///< shorter side of the largest object on the ground
   double opening_slope_rad = 0.26;
   double steepest_rad = 0.79;
   double clearance_m = 0.1;

@@ -43,8 +43,8 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
     throw InputError(
         file.string(),
         {FaultKind::kOutOfRange,
-         fmt::format("{:.0f} x {:.0f} m found, a site has at most {} m to a side; cut it out, e.g. "
-                     "with pdal or gdalwarp -te, or bring it to metres where these are millimetres",
+         fmt::format("{:.0f} x {:.0f} m found, a site has at most {} m a side; cut it out, e.g. "
+                     "with pdal or gdalwarp -te, or convert millimetres to metres",
                      size_m.x(), size_m.y(), kLargestSite_m)});
   }
   constexpr double kSmallestSite_m = 1;
@@ -60,12 +60,13 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
 /// Throws InputError for a survey without a reference system that is far from its origin.
 void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m) {
   if (middle_m.norm() <= kLargestSite_m) return;
-  throw InputError(file.string(),
-                   {FaultKind::kMissing,
-                    fmt::format("names no map, and its middle x {:.0f}, y {:.0f} m lies {:.1f} km "
-                                "from the origin: coordinates of a map? name it, --map EPSG:n, or "
-                                "take them about their own middle, --local",
-                                middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
+  throw InputError(
+      file.string(),
+      {FaultKind::kMissing,
+       fmt::format(
+           "names no map, and its middle x {:.0f}, y {:.0f} m lies {:.1f} km from the origin: are "
+           "these map coordinates? name the map with --map EPSG:n, or centre them with --local",
+           middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
 }
 
 /// Throws InputError for a flat survey that is upright, for example with y up.
@@ -88,11 +89,10 @@ void RequireUpright(const std::filesystem::path& file, const std::vector<Vec3>& 
   throw InputError(
       file.string(),
       {FaultKind::kInconsistent,
-       fmt::format(
-           "its points spread least along ({:.2f}, {:.2f}, {:.2f}), so that this is up, and "
-           "not z: does its y point up? turn it, for y up by pdal translate -f "
-           "transformation with the matrix 1 0 0 0 0 0 -1 0 0 1 0 0 0 0 0 1",
-           least.x(), least.y(), least.z())});
+       fmt::format("its points spread least along ({:.2f}, {:.2f}, {:.2f}), so this seems to be up "
+                   "instead of z: does its y point up? turn y up to z with pdal translate -f "
+                   "transformation and the matrix 1 0 0 0 0 0 -1 0 0 1 0 0 0 0 0 1",
+                   least.x(), least.y(), least.z())});
 }
 
 std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {

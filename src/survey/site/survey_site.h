@@ -19,9 +19,9 @@ struct SiteRequest {
   SiteOrigin origin{47.3763, 8.5477, 0};
   bool about_middle = false;  ///< `origin` is the centre of such a survey instead of its x = y = 0
   std::optional<double> cell_m;  ///< edge of the terrain cells; absent: chosen by CellSize
-  double largest_thing_m = 6;  ///< size of the largest thing on the ground, along its shorter side
-  double steepest_rad = 0.79;  ///< steepest slope that counts as ground
-  double gap_m = 0.5;          ///< least distance between two things
+  double largest_thing_m = 6;    ///< shorter side of the largest object on the ground
+  double steepest_rad = 0.79;    ///< steepest slope that counts as ground
+  double gap_m = 0.5;            ///< least distance between two objects
 };
 
 /// A site made from a survey: its ground and the objects on it.

@@ -11,7 +11,7 @@ namespace tera {
 enum class HeightSource : std::uint8_t {
   kMeasured = 0,     ///< median of the ground points in the cell
   kFilled = 1,       ///< a cell without points, filled by the membrane of fill_gaps.h
-  kUnderThing = 2,   ///< a thing is within one cell; filled in the same way
+  kUnderThing = 2,   ///< an object is within one cell; filled in the same way
   kBeyondSurvey = 3  ///< outside the survey; filled in the same way, and level far away
 };
 

@@ -18,7 +18,7 @@ struct SurveyThing {
 
 /// Rule that groups points into things.
 struct ThingRule {
-  double gap_m = 0.5;    ///< points closer than this belong to one thing
+  double gap_m = 0.5;    ///< points closer than this belong to one object
   double voxel_m = 0.1;  ///< cubes of this edge are counted instead of points, so that density has
                          ///< no effect
   int least_voxels = 8;

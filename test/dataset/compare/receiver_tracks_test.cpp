@@ -120,7 +120,7 @@ TEST_F(ReceiverTracksTest, OriginsMayDiffer) {
   text.replace(text.find(origin), origin.size(), "lat_deg: 17");
   WriteWholeFile(scratch.path() / "far/dataset.yaml", text);
   EXPECT_THAT(Compare(scratch.path() / "a", scratch.path() / "far").machines.at(0).remarks,
-              Contains(HasSubstr("each recording is compared in its own east, north and up")));
+              Contains(HasSubstr("each recording keeps its own east, north and up")));
 }
 
 TEST_F(ReceiverTracksTest, AnAntennaThatSitsElsewhereIsMovedByTheHeading) {
@@ -128,12 +128,13 @@ TEST_F(ReceiverTracksTest, AnAntennaThatSitsElsewhereIsMovedByTheHeading) {
   other.antennas = {{"left", Vec3(-0.4, 0.6, 1.5)}, {"right", Vec3(-0.4, -0.6, 1.5)}};
   const MachineComparison moved = Compared({}, other);
   EXPECT_NEAR(moved.tracks.at(0).unaligned.ape_translation_m.max, 0, 1e-6);
-  EXPECT_THAT(moved.remarks, Contains(HasSubstr("left sits 0.583 m elsewhere")));
+  EXPECT_THAT(moved.remarks, Contains(HasSubstr("the mounts of left differ by 0.583 m")));
   // Without a second antenna no heading is available for the move; a remark says so.
   other.antennas.pop_back();
   Made one;
   one.antennas.pop_back();
-  EXPECT_THAT(Compared(one, other).remarks, Contains(HasSubstr("no heading of its link is known")));
+  EXPECT_THAT(Compared(one, other).remarks,
+              Contains(HasSubstr("the heading of its link is unknown")));
 }
 
 TEST_F(ReceiverTracksTest, OfOneReceiverOrOfUnknownPlacesThePathIsCompared) {
@@ -170,8 +171,8 @@ TEST_F(ReceiverTracksTest, AHeadingIsThatOfAntennasOnItsLinkAlone) {
   ASSERT_EQ(c.tracks.size(), 3u);
   EXPECT_EQ(c.tracks[0].of, "bucket");
   EXPECT_EQ(c.tracks[0].rotation, TrackComparison::Rotation::kNone);
-  EXPECT_THAT(c.remarks, Contains(HasSubstr("bucket sits 1.000 m elsewhere")));
-  EXPECT_THAT(c.remarks, Contains(HasSubstr("no heading of its link is known")));
+  EXPECT_THAT(c.remarks, Contains(HasSubstr("the mounts of bucket differ by 1.000 m")));
+  EXPECT_THAT(c.remarks, Contains(HasSubstr("the heading of its link is unknown")));
   for (std::size_t k : {1, 2}) {
     EXPECT_THAT(c.tracks[k].of, HasSubstr("heading from left to right"));
     EXPECT_NEAR(c.tracks[k].unaligned.ape_rotation_rad.rmse, 3 * kDeg, 1e-6);
@@ -200,10 +201,10 @@ TEST_F(ReceiverTracksTest, WhereNothingCanBeComparedThatIsSaid) {
     Compared({}, other);
     FAIL() << "compared";
   } catch (const InputError& fault) {
-    EXPECT_THAT(fault.what(), HasSubstr("nothing can be compared: "));
+    EXPECT_THAT(fault.what(), HasSubstr("nothing to compare: "));
     EXPECT_THAT(fault.what(), HasSubstr("digger/left (gnss), digger/right (gnss)"));
-    EXPECT_THAT(fault.what(), HasSubstr("have no name in common"));
-    EXPECT_THAT(fault.what(), HasSubstr("need poses of both"));
+    EXPECT_THAT(fault.what(), HasSubstr("share no name"));
+    EXPECT_THAT(fault.what(), HasSubstr("need poses in both recordings"));
   }
 }
 

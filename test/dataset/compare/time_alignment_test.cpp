@@ -77,7 +77,7 @@ TEST_F(TimeAlignmentTest, GpsTimeAndUtcAreLeapSecondsApart) {
   EXPECT_THAT(AlignTimes(utc, gps).told, HasSubstr("with the leap seconds"));
   const Recording other = With("other", 19 * kNsPerSecond, ClockScale::kUnknown);
   EXPECT_EQ(AlignTimes(gps, other).shift_ns, kNsPerSecond);
-  EXPECT_THAT(AlignTimes(gps, other).told, HasSubstr("what they count is not known"));
+  EXPECT_THAT(AlignTimes(gps, other).told, HasSubstr("because a time scale is unknown"));
 }
 
 TEST_F(TimeAlignmentTest, WhatIsNotKnownIsTold) {
@@ -96,7 +96,7 @@ TEST_F(TimeAlignmentTest, DrivesOfDifferentDaysAreComparedFromTheirOwnZeros) {
   const Recording b = With("b", 3 * 86'400 * kNsPerSecond, ClockScale::kUtc);
   EXPECT_EQ(AlignTimes(a, b).shift_ns, 0);
   EXPECT_THAT(AlignTimes(a, b).told,
-              HasSubstr("3 days apart, the recordings have no time in common"));
+              HasSubstr("3 days apart, so the recordings have no common time"));
   EXPECT_FALSE(TimeInCommon(a, b));
 }
 

@@ -98,7 +98,8 @@ TEST_F(WrappedSlew, GoesOnAtTheSameRateWhereTheMappingSaysThatItBeginsAnew) {
     Log(rate_hz, 348, 41);
     const ImportReport report =
         Import("{name: slew, angle: {column: slew, unit: deg}, wrap_deg: 360}");
-    EXPECT_THAT(report.channels[0].remarks, ElementsAre(HasSubstr("begins anew after 360 deg, ")));
+    EXPECT_THAT(report.channels[0].remarks,
+                ElementsAre(HasSubstr("its column wraps after 360 deg, ")));
     for (const EncoderSample& one : Samples()) EXPECT_NEAR(one.qd_radps[0], 0.2094395, 1e-4);
     EXPECT_NEAR(Samples().back().q_rad[0], (348 + 12 * 40 / rate_hz) * kDeg, 1e-6);
   }
@@ -131,7 +132,7 @@ TEST_F(WrappedSlew, AJointThatSlidesOrHasNoAngleBeginsNowhereAnew) {
                             "{name: slew, rate: {column: slew, unit: deg/s}, wrap_deg: 360}"}) {
     EXPECT_THAT([&] { Import(joint); },
                 testing::ThrowsMessage<InputError>(
-                    HasSubstr("wrap_deg: is of a joint that has an angle; leave it out")))
+                    HasSubstr("wrap_deg: belongs to a joint that already has an angle; remove it")))
         << joint;
   }
 }

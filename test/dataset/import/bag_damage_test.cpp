@@ -156,9 +156,9 @@ TEST_F(HostileMcap, SizesThatAreDeclaredAreNotBelieved) {
   EXPECT_THAT(FaultOf(Bag().Raw(Chunk(record.size(), "brotli", record)).bytes()),
               HasSubstr("compressed by 'brotli', need zstd, lz4 or none"));
   EXPECT_THAT(FaultOf(Bag().Raw(Chunk(record.size(), "", record, 1)).bytes()),
-              HasSubstr("are not those of its checksum"));
+              HasSubstr("the checksum of a chunk does not match its bytes"));
   EXPECT_THAT(FaultOf(Bag().Raw(Packed().Add(std::uint8_t{5}).Add(huge).bytes()).bytes()),
-              HasSubstr("1099511627776 bytes are declared, but the file ends"));
+              HasSubstr("1099511627776 bytes are declared, but the file has only"));
 }
 
 TEST_F(HostileMcap, WhatStandsBeforeTheDamageIsRead) {
@@ -168,18 +168,18 @@ TEST_F(HostileMcap, WhatStandsBeforeTheDamageIsRead) {
   EXPECT_EQ(FaultOf(bag.WithoutEnd(), true), "");
   EXPECT_EQ(report_.channels[0].rows, 2);
   EXPECT_EQ(report_.channels[0].left_out, 1);
-  EXPECT_THAT(report_.channels[0].first_fault, HasSubstr("as when a recorder is cut off"));
+  EXPECT_THAT(report_.channels[0].first_fault, HasSubstr("as after a crash of the recorder"));
 }
 
 TEST_F(HostileMcap, RecordsThatReferToNothingAreToldOf) {
   EXPECT_THAT(
       FaultOf(Bag().Raw(McapRecord(5, std::string("\x09\x00", 2) + std::string(20, 0))).bytes()),
-      HasSubstr("a message is of channel 9, which the file has not shown"));
+      HasSubstr("a message refers to channel 9, which the file has not declared"));
   EXPECT_THAT(FaultOf(Bag().Raw(McapRecord(5, "\x07")).bytes()), HasSubstr("log.mcap: byte "));
   EXPECT_THAT(FaultOf(Bag().Message(~std::uint64_t{0}, Value(0)).bytes()),
               HasSubstr("a message's time is 18446744073709551615 ns"));
-  EXPECT_THAT(FaultOf("ms,v\n1,2\n"), HasSubstr("log.mcap: is no bag; need"));
-  EXPECT_THAT(FaultOf(""), HasSubstr("log.mcap: is no bag; need"));
+  EXPECT_THAT(FaultOf("ms,v\n1,2\n"), HasSubstr("log.mcap: is not a bag; need"));
+  EXPECT_THAT(FaultOf(""), HasSubstr("log.mcap: is not a bag; need"));
 }
 
 }  // namespace

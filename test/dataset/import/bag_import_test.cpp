@@ -244,10 +244,11 @@ TEST_F(BagImport, PathsThatLeadNowhereAreToldOf) {
   ExpectFault("tables: [{name: t, columns: {v: {column: small, unit: '1'}}}]\n",
               {"tables[0]", "topic", "need one of the bag's topics"});
   ExpectFault("imus: [{name: i, topic: /t}]\n",
-              {"imus[0].topic", "is of mine_msgs/Mine; need sensor_msgs/Imu"});
+              {"imus[0].topic", "has the type mine_msgs/Mine; need sensor_msgs/Imu"});
   Log(SmallMcap("sensor_msgs/msg/NavSatFix", "").bytes());
-  ExpectFault("imus: [{name: i, topic: /t}]\n", {"is of sensor_msgs/NavSatFix; need"});
-  ExpectFault("pose: {topic: /t}\n", {"is of sensor_msgs/NavSatFix; need nav_msgs/Odometry"});
+  ExpectFault("imus: [{name: i, topic: /t}]\n", {"has the type sensor_msgs/NavSatFix; need"});
+  ExpectFault("pose: {topic: /t}\n",
+              {"has the type sensor_msgs/NavSatFix; need nav_msgs/Odometry"});
 }
 
 TEST_F(BagImport, MessagesThatAreNotAsTheirDefinitionAreToldOfOrLeftOut) {
@@ -277,11 +278,11 @@ TEST_F(BagImport, DefinitionsThatCannotBeReadAreToldOf) {
     Log(bag.bytes());
     ExpectFault(Table("a"), {"log.mcap: topic /t (", finding});
   };
-  expect(SmallMcap("m/A", "A a\n"), "has m/A within itself");
-  expect(SmallMcap("m/A", "B b\n=====\nMSG: m/B\nA[] a\n"), "has m/A within itself");
+  expect(SmallMcap("m/A", "A a\n"), "contains m/A in itself");
+  expect(SmallMcap("m/A", "B b\n=====\nMSG: m/B\nA[] a\n"), "contains m/A in itself");
   expect(SmallMcap("m/A", "B b\n"), "definition of m/B");
   expect(SmallMcap("m/A", "int32\n"), "has the line 'int32'");
-  expect(SmallMcap("m/A", "int32[x] a\n"), "'int32[x]', which is no type");
+  expect(SmallMcap("m/A", "int32[x] a\n"), "'int32[x]', which is not a type");
   expect(SmallMcap("m/A", "x", "ros2idl"), "written as 'ros2idl', need ros2msg");
   expect(SmallMcap("m/A", "int32 a\n", "ros2msg", "json"), "encoded as 'json'");
   std::string deep = "T0 t\n";

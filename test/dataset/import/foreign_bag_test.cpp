@@ -144,11 +144,11 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
   // A bomb: zeros to more than a thousand times its size.
   ASSERT_TRUE(
       OutputOf("head -c 100000000 /dev/zero | zstd -q -f -19 -o '" + packed.string() + "'"));
-  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("which no bag's do"));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("which is no plausible bag"));
   // A packed file is reported by its own name, not by that of its unpacked copy.
   WriteWholeFile(folder / "text", "t,x\n0,1\n");
   ASSERT_TRUE(pack(folder / "text", packed));
-  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("log.db3.zstd: is no bag"));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("log.db3.zstd: is not a bag"));
 }
 
 // A long recording split by rosbag2, which each channel reads again.

@@ -49,8 +49,8 @@ const std::vector<ForeignBeginning> kForeignBeginnings = {
     {"a.7z", "7z\xbc\xaf\x27\x1c\0\x04"sv, "a 7z archive", "7z x a.7z"},
     {"a.xz", "\xfd\x37zXZ\0\0\x04"sv, "packed by xz", "unxz"},
     {"a.pdf", "%PDF-1.7\n", "a PDF document", "as CSV"},
-    {"a.csv", "<!DOCTYPE html>\n<html>", "a page in HTML", "download"},
-    {"a.csv", "\n <HTML lang=en>", "a page in HTML", "download"},
+    {"a.csv", "<!DOCTYPE html>\n<html>", "an HTML page", "download"},
+    {"a.csv", "\n <HTML lang=en>", "an HTML page", "download"},
     {"a.json", "[{\"t\": 1}]", "a document in JSON", "pandas.read_json"},
     {"can.log", "(1436509052.249713) vcan0 044#2A366C2BBA\n", "a log of a CAN bus by candump",
      "cantools"},
@@ -91,10 +91,10 @@ TEST(ForeignFile, TablesInTextAreNone) {
 TEST(ForeignFile, IsRefusedWithItsNameAndTheRemedy) {
   const std::filesystem::path file = OwnFolder() / "run.csv";
   WriteWholeFile(file, "(1436509052.249713) vcan0 044#2A366C2BBA\n");
-  EXPECT_THAT([&] { RefuseForeignFile(file, "a table in text"); },
+  EXPECT_THAT([&] { RefuseForeignFile(file, "a text table"); },
               ThrowsFault(FaultKind::kUnsupported, "run.csv"));
   WriteWholeFile(file, "time_s,boom_deg\n0,1\n");
-  EXPECT_NO_THROW(RefuseForeignFile(file, "a table in text"));
+  EXPECT_NO_THROW(RefuseForeignFile(file, "a text table"));
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(EyeMasking, IsHeldAgainstTheStudysLimitAndNoOther) {
   eye.most_masking_m = 2;
   EXPECT_THAT(Masked(yard, eye).Warnings(),
               ElementsAre(testing::AllOf(HasSubstr("digger/mast masks 2.5"),
-                                         HasSubstr("the study allows 2 m"))));
+                                         HasSubstr("the study allows (2 m"))));
   EXPECT_EQ(FigureOf(Masked(yard, eye).Figures(), "eye/circle/exceeds_limit").at[0], 1);
   eye.most_masking_m = 3;
   EXPECT_THAT(Masked(yard, eye).Warnings(), IsEmpty());

@@ -294,9 +294,9 @@ TEST_F(SearchOfACycle, LimitsThatNoLayoutCanKeepAreRefused) {
   // The inertial unit alone costs 10, with the cheapest lidar 110.
   ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 9"), {"limits", "kept"});
   ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 109"),
-                {"search.yaml:7:", "limits", "cost 109", "it takes 110", "optional"});
+                {"search.yaml:7:", "limits", "cost 109", "need 110", "optional"});
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {power_w: 8}"),
-                {"limits", "power_w 8", "takes 8.5"});
+                {"limits", "power_w 8", "need 8.5"});
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {sensors: 1}"),
                 {"limits", "sensors 1", "takes 2"});
 }

@@ -194,7 +194,7 @@ TEST_F(RandomSite, FaultsSayWhereTheyAre) {
                                               HasSubstr("no free place found"))));
   EXPECT_THAT(
       load("trenches: {count: [1, 0.5], length_m: [1, 2], width_m: [1, 1], depth_m: [1, 1]}"),
-      ThrowsMessage<InputError>(HasSubstr("ends lie the other way about")));
+      ThrowsMessage<InputError>(HasSubstr("the ends are swapped")));
   EXPECT_THAT(load("things: {count: [1, 1], size_m: [1, 1], of: []}"),
               ThrowsMessage<InputError>(HasSubstr("nothing to choose from")));
   EXPECT_THAT(load("things: {count: [1, 1], size_m: [1, 1], of: ['no.yaml']}"),

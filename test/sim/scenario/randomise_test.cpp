@@ -234,11 +234,11 @@ TEST_F(RandomisedFile, OfNoSuchDistributionIsRefused) {
               HasSubstr("several of these found, need one of uniform"));
   EXPECT_THAT(Refused("  - {uniform: [1, 2]}\n"), HasSubstr("need one of key, together"));
   EXPECT_THAT(Refused("  - {key: duration_s, uniform: [2, 1]}\n"),
-              HasSubstr("ends lie the other way about"));
+              HasSubstr("the ends are swapped"));
   EXPECT_THAT(Refused("  - {key: duration_s, log_uniform: [0, 1]}\n"), HasSubstr("log_uniform"));
   EXPECT_THAT(Refused("  - {key: duration_s, normal: [1, 0]}\n"), HasSubstr("sigma > 0"));
   EXPECT_THAT(Refused("  - {key: duration_s, normal: [1, 0.1], within: [90, 91]}\n"),
-              HasSubstr("holds nothing of that distribution"));
+              HasSubstr("contains no value of the distribution"));
   EXPECT_THAT(Refused("  - {key: duration_s, choice: [1, 2], weights: [1]}\n"),
               HasSubstr("weights"));
   EXPECT_THAT(Refused("  - {key: duration_s, choice: []}\n"), HasSubstr("nothing to choose from"));

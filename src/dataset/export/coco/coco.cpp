@@ -241,7 +241,7 @@ class CocoFiles {
       return;
     }
     throw InputError(rgb.string(),
-                     "has another size than the picture of instances; need one for all of a frame");
+                     "has another size than the picture of instances; need one size for a frame");
   }
 
   std::vector<ObjectAnnotation> Objects(const LabelledFrame& frame, const fs::path& file) const {

@@ -139,8 +139,8 @@ class KittiExport {
     if (fs::is_regular_file(file, ignored)) return file;
     throw InputError(file.string(),
                      {FaultKind::kUnreadable,
-                      fmt::format("is not there, and KITTI's layout '{}' has it; need a camera "
-                                  "that records it, by --camera, or other layouts, by --layout",
+                      fmt::format("is missing, but KITTI's layout '{}' needs it; choose a camera "
+                                  "that records it with --camera, or other layouts with --layout",
                                   layout.name)});
   }
 
@@ -152,9 +152,9 @@ class KittiExport {
     throw InputError(
         job_.recording.directory().string(),
         {FaultKind::kUnsupported,
-         fmt::format("{} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, "
-                     "and KITTI's layout '{}' has one calibration for all frames; need both on one "
-                     "link, by --camera and --lidar, or --layout object,depth",
+         fmt::format("{} and {} move relative to each other, by {:.3f} m and {:.2f} deg until {} "
+                     "ns, but KITTI's layout '{}' has one calibration for all frames; choose both "
+                     "on one link with --camera and --lidar, or --layout object,depth",
                      rig_.camera, rig_.lidar.path, moved.translation().norm(), turned_rad / kDeg,
                      frame.times.picture_ns, steady_->name)});
   }
@@ -189,10 +189,9 @@ class KittiExport {
     if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
       return picture;
     }
-    throw InputError(
-        file.string(),
-        fmt::format("is of {} x {} pixels; need {} x {}, as sensor.yaml says", picture.width_px,
-                    picture.height_px, rig_.lens.width_px, rig_.lens.height_px));
+    throw InputError(file.string(), fmt::format("has {} x {} pixels; need {} x {} of sensor.yaml",
+                                                picture.width_px, picture.height_px,
+                                                rig_.lens.width_px, rig_.lens.height_px));
   }
 
   void WritePictureAndPoints(const KittiFrame& frame) const {
@@ -245,10 +244,9 @@ void ExportKitti(ExportJob* job) {
   if (!any) {
     throw InputError(
         job->recording.directory().string(),
-        {FaultKind::kMissing,
-         fmt::format("{} took no picture during a scan of {}; need two that ran at the "
-                     "same time, by --camera and --lidar",
-                     rig.camera, rig.lidar.path)});
+        {FaultKind::kMissing, fmt::format("{} took no picture during a scan of {}; choose two that "
+                                          "ran at the same time with --camera and --lidar",
+                                          rig.camera, rig.lidar.path)});
   }
   kitti.Commit();
 }

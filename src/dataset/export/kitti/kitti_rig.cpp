@@ -36,12 +36,13 @@ CameraLens LensOf(const ExportJob& job, const std::string& camera) {
                      {FaultKind::kMissing, "has no lens; need `model` with width_px to cy_px"});
   }
   if (!Rectifier::Takes(*sheet.lens)) {
-    throw InputError(SheetOf(job, camera),
-                     {FaultKind::kUnsupported,
-                      fmt::format("its lens is of the law {}, which sees what no pinhole does, and "
-                                  "KITTI's pictures are those of a pinhole; need a camera whose "
-                                  "lens is brown_conrady or rational, by --camera",
-                                  sheet.lens->law)});
+    throw InputError(
+        SheetOf(job, camera),
+        {FaultKind::kUnsupported,
+         fmt::format(
+             "its lens has the law {}, which no pinhole can replace, but KITTI's pictures have a "
+             "pinhole lens; choose a camera with a brown_conrady or rational lens with --camera",
+             sheet.lens->law)});
   }
   return *sheet.lens;
 }
@@ -71,9 +72,8 @@ KittiLidar ReadKittiLidar(ExportJob* job) {
                      {FaultKind::kMissing, "has no rate; need `rate_hz` of its scans"});
   }
   if (!sheet.X_PS) {
-    throw InputError(
-        SheetOf(*job, lidar.path),
-        {FaultKind::kMissing, "has no X_parent_sensor; need where its link carries it"});
+    throw InputError(SheetOf(*job, lidar.path),
+                     {FaultKind::kMissing, "has no X_parent_sensor; need its pose on its link"});
   }
   lidar.period_ns = FromSeconds(1 / sheet.rate_hz);
   lidar.X_PS = *sheet.X_PS;

@@ -71,7 +71,7 @@ void ExportNuscenes(ExportJob* job) {
   const std::vector<NuScenesRig> rigs = ReadNuScenesRigs(job);
   std::vector<std::string> machines;
   for (const NuScenesRig& rig : rigs) machines.push_back(rig.machine);
-  RequireAny(machines, *job, "lidar, and no camera with `rgb: true` that a pinhole can stand for");
+  RequireAny(machines, *job, "lidar, and no camera with `rgb: true` and a pinhole equivalent");
   const NuTokens tokens(job->recording);
   NuTables tables(job->folder / kNuScenesVersion);
   MakeFolder(job->folder / "lidarseg" / kNuScenesVersion);

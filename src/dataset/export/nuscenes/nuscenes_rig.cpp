@@ -52,7 +52,7 @@ void RequireChannelsApart(const NuScenesRig& rig) {
     throw InputError(
         sensor.path,
         {FaultKind::kRepeated,
-         fmt::format("would be nuScenes' channel {}, as {}; rename one of the two folders",
+         fmt::format("would be nuScenes' channel {}, like {}; rename one of the two folders",
                      sensor.channel, other->second)});
   }
 }

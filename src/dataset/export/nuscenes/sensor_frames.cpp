@@ -24,8 +24,8 @@ std::string SensorFrames::PictureBytes(TimeNs t_ns) const {
   const PictureSize size = SizeOfPng(rgb);
   if (size.width_px != lens.width_px || size.height_px != lens.height_px) {
     throw InputError(rgb.string(),
-                     fmt::format("is of {} x {} pixels; need {} x {}, as sensor.yaml says",
-                                 size.width_px, size.height_px, lens.width_px, lens.height_px));
+                     fmt::format("has {} x {} pixels; need {} x {} of sensor.yaml", size.width_px,
+                                 size.height_px, lens.width_px, lens.height_px));
   }
   return rectifier_->changes_pictures() ? EncodeRgbPng(rectifier_->Blended(ReadRgbPng(rgb)))
                                         : ReadWholePng(rgb);

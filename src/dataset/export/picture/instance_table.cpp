@@ -33,7 +33,7 @@ void InstanceTable::FindWholes(const fs::path& yaml) {
       if (std::find(wholes.begin(), wholes.end(), at) != wholes.end()) {
         throw InputError(
             yaml.string(),
-            fmt::format("the instance '{}' is a part of itself; need parents without a circle",
+            fmt::format("the instance '{}' is its own ancestor; need parents without a cycle",
                         entry.name));
       }
       wholes.push_back(at);

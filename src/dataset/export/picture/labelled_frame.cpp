@@ -93,7 +93,7 @@ LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, 
       frame.semantic.height_px != frame.instance.height_px) {
     throw InputError(
         instance.string(),
-        fmt::format("has another size than {}; need one for all of a frame", semantic.string()));
+        fmt::format("has another size than {}; need one size for a frame", semantic.string()));
   }
   RequireKnownClasses(frame.semantic, semantic);
   if (IsThere(boxes)) frame.boxes = ReadBoxes(boxes);

@@ -88,7 +88,7 @@ ros::GridMap GridMapOf(const GroundSnapshot& snapshot, TimeNs stamp_ns, const Re
     } else if (!LieAlike(squares, *first)) {
       throw InputError(
           file.string(),
-          fmt::format("its pixels lie otherwise than those of {}; need rasters of one recording",
+          fmt::format("its pixel grid differs from that of {}; need rasters of one recording",
                       snapshot.layers.begin()->second.string()));
     }
     // In a grid map, row index grows with decreasing x, column index with decreasing y, and data is

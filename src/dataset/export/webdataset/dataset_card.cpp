@@ -65,7 +65,7 @@ CardFacts ReadCardFacts(const std::filesystem::path& file) {
   facts.version = root.Text("version", "1.0.0");
   facts.creator_is_person = root.Has("person");
   if (root.Has("person") && root.Has("organization")) {
-    root.Fault("person", "given beside organization; keep the one that made the data");
+    root.Fault("person", "given beside organization; keep the creator of the data");
   }
   facts.creator = facts.creator_is_person ? root.Text("person") : root.Text("organization");
   if (root.Has("license") && !IsUrl(facts.license)) {

@@ -78,9 +78,10 @@ class SensorSamples {
     take("depth");
     for (const LabelChannel& channel : kLabelChannels) take(channel.name);
     if (parts.empty()) {
-      throw InputError((job_.recording.directory() / sensor_).string(),
-                       {FaultKind::kMissing,
-                        fmt::format("there is no image of t_ns {}; data.csv names one", t_ns)});
+      throw InputError(
+          (job_.recording.directory() / sensor_).string(),
+          {FaultKind::kMissing,
+           fmt::format("the image of t_ns {} is missing, but data.csv lists it", t_ns)});
     }
     return parts;
   }

@@ -19,8 +19,8 @@ BagFile::BagFile(const std::filesystem::path& path) : path_(path) {
 
 void BagFile::Require(std::uint64_t at, std::uint64_t count) const {
   if (at > size_ || count > size_ - at) {
-    throw BadBytes{fmt::format("{} bytes are declared, but the file ends {} bytes further on",
-                               count, at > size_ ? 0 : size_ - at)};
+    throw BadBytes{fmt::format("{} bytes are declared, but the file has only {} more bytes", count,
+                               at > size_ ? 0 : size_ - at)};
   }
 }
 
@@ -36,10 +36,8 @@ std::string BagFile::Read(std::uint64_t at, std::uint64_t count) {
 
 void RequirePieceSize(std::uint64_t bytes) {
   if (bytes <= kMostPieceBytes) return;
-  throw BadBytes{
-      fmt::format("a size of {} bytes is declared, more than the {} that a chunk or a "
-                  "message may have",
-                  bytes, kMostPieceBytes)};
+  throw BadBytes{fmt::format("a size of {} bytes is declared; a chunk or message has at most {}",
+                             bytes, kMostPieceBytes)};
 }
 
 }  // namespace tera

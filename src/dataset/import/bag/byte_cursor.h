@@ -26,7 +26,7 @@ class ByteCursor {
 
   std::string_view Bytes(std::uint64_t count) {
     if (count > remaining()) {
-      throw BadBytes{fmt::format("{} bytes are declared where {} are left", count, remaining())};
+      throw BadBytes{fmt::format("{} bytes are declared, but {} are left", count, remaining())};
     }
     const std::string_view bytes = bytes_.substr(at_, count);
     at_ += count;

@@ -34,7 +34,8 @@ class McapReader {
   bool Read() {
     std::uint64_t at = 0;
     try {
-      if (file_.Read(0, kMagic.size()) != kMagic) throw BadBytes{"the file does not begin as MCAP"};
+      if (file_.Read(0, kMagic.size()) != kMagic)
+        throw BadBytes{"the file does not begin with the magic bytes of MCAP"};
       at = kMagic.size();
       while (true) {
         ByteCursor head(HeadAt(at));
@@ -45,12 +46,13 @@ class McapReader {
         at += kRecordHeadBytes + length;
         if (opcode == kFooter) break;
       }
-      if (file_.Read(at, kMagic.size()) != kMagic) throw BadBytes{"the file does not end as MCAP"};
+      if (file_.Read(at, kMagic.size()) != kMagic)
+        throw BadBytes{"the file does not end with the magic bytes of MCAP"};
       return true;
     } catch (const BadBytes& bad) {
       throw BagDamage(fmt::format(
-          "{0}: byte {1}: {2}; need a whole MCAP file: copy it again, mend it by 'mcap recover {0} "
-          "-o whole.mcap', or read what stands before by --skip-bad-rows",
+          "{0}: byte {1}: {2}; need a complete MCAP file: copy it again, repair it with 'mcap "
+          "recover {0} -o whole.mcap', or read the part before with --skip-bad-rows",
           file_.path().string(), at, bad.finding));
     }
   }
@@ -62,7 +64,8 @@ class McapReader {
 
   std::string_view HeadAt(std::uint64_t at) {
     if (at == file_.size()) {
-      throw BadBytes{"the file ends without its footer and index, as when a recorder is cut off"};
+      throw BadBytes{
+          "the file ends without its footer and index, as after a crash of the recorder"};
     }
     head_ = file_.Read(at, kRecordHeadBytes);
     return head_;
@@ -113,7 +116,7 @@ class McapReader {
     if (crc == 0) return;  // the writer did not compute it
     const auto found = crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     if (found == crc) return;
-    throw BadBytes{"the bytes of a chunk are not those of its checksum"};
+    throw BadBytes{"the checksum of a chunk does not match its bytes"};
   }
 
   bool TakeRecord(std::uint8_t opcode, ByteCursor record) {
@@ -138,7 +141,7 @@ class McapReader {
     topic.message_encoding = record.Text();
     const auto schema = schemas_.find(schema_id);
     if (schema_id != 0 && schema == schemas_.end()) {
-      throw BadBytes{fmt::format("topic {} refers to schema {}, which the file has not shown",
+      throw BadBytes{fmt::format("topic {} refers to schema {}, which the file has not declared",
                                  topic.name, schema_id)};
     }
     if (schema_id != 0) {
@@ -154,7 +157,8 @@ class McapReader {
   bool IsWanted(std::uint16_t id) const {
     const auto channel = channels_.find(id);
     if (channel == channels_.end()) {
-      throw BadBytes{fmt::format("a message is of channel {}, which the file has not shown", id)};
+      throw BadBytes{
+          fmt::format("a message refers to channel {}, which the file has not declared", id)};
     }
     return channel->second.wanted;
   }

@@ -100,7 +100,7 @@ void RequireElement(const MessageSchema& schema, const MessageType& type, std::s
   if (has_elements != step.has_brackets) {
     throw BadBytes{fmt::format("'{}' of {} has {}", field.name, type.name,
                                has_elements ? "elements, need one of them in brackets: an index "
-                                              "from 0, or a name where the message has names"
+                                              "from 0, or a name if the message has names"
                                             : "no elements, need it without brackets")};
   }
   if (!has_elements) return;
@@ -205,15 +205,14 @@ class MessageReader::Walk {
     const std::size_t most = is_cdr_ ? 3 : 0;
     if (bytes_.size() - at_ <= most) return;
     throw BadBytes{
-        fmt::format("it has {} bytes, its definition makes {} of them: they are of "
-                    "different types or versions",
+        fmt::format("it has {} bytes, but its definition reads {}: their types or versions differ",
                     bytes_.size(), at_)};
   }
 
  private:
   std::string_view TakeCdrHead(std::string_view message) {
     constexpr std::size_t kHeadBytes = 4;
-    if (message.size() < kHeadBytes) throw BadBytes{"it lacks the four bytes that CDR begins with"};
+    if (message.size() < kHeadBytes) throw BadBytes{"it lacks the four bytes at the start of CDR"};
     if (message[0] != 0 || (message[1] != 0 && message[1] != 1)) {
       throw BadBytes{fmt::format(
           "it begins with the bytes {} and {}, need plain CDR (0 and 0 or 1)",
@@ -232,7 +231,7 @@ class MessageReader::Walk {
   std::string_view Bytes(std::uint64_t count) {
     if (count > bytes_.size() - at_) {
       throw BadBytes{
-          fmt::format("it declares {} bytes where {} are left", count, bytes_.size() - at_)};
+          fmt::format("it declares {} bytes, but {} are left", count, bytes_.size() - at_)};
     }
     const std::string_view bytes = bytes_.substr(at_, count);
     at_ += count;
@@ -280,8 +279,7 @@ class MessageReader::Walk {
         if (frames_ != nullptr && field.name == kParentFrame) frames_->first = text;
         if (frames_ != nullptr && field.name == kChildFrame) frames_->second = text;
       } else {
-        throw BadBytes{
-            fmt::format("'{}' is a wstring, which writers lay out in different ways", field.name)};
+        throw BadBytes{fmt::format("'{}' is a wstring, which has no common layout", field.name)};
       }
     }
   }
@@ -293,7 +291,7 @@ class MessageReader::Walk {
   void RequireRoom(const MessageField& field, std::uint64_t count) const {
     const std::uint64_t least = LeastOf(field);
     if (least == 0 || count <= (bytes_.size() - at_) / least) return;
-    throw BadBytes{fmt::format("'{}' declares {} elements where {} bytes are left", field.name,
+    throw BadBytes{fmt::format("'{}' declares {} elements, but {} bytes are left", field.name,
                                count, bytes_.size() - at_)};
   }
 

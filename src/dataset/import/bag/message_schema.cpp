@@ -97,7 +97,7 @@ WrittenType ParseWritten(std::string_view text) {
   const auto [stop, status] =
       std::from_chars(inside.data(), inside.data() + inside.size(), written.count);
   if (status != std::errc() || stop != inside.data() + inside.size()) {
-    throw BadBytes{fmt::format("its definition has '{}', which is no type", text)};
+    throw BadBytes{fmt::format("its definition has '{}', which is not a type", text)};
   }
   return written;
 }
@@ -119,7 +119,7 @@ class SchemaParser {
   std::size_t TypeOf(const std::string& name, std::size_t depth) {
     if (const auto known = numbers_.find(name); known != numbers_.end()) {
       if (schema_.types[known->second].name.empty()) {
-        throw BadBytes{fmt::format("its definition has {} within itself", name)};
+        throw BadBytes{fmt::format("its definition contains {} in itself", name)};
       }
       RequireDepth(depth + depths_[known->second]);
       return known->second;

@@ -65,16 +65,15 @@ bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage
   }
   RefuseForeignFile(file, "an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag");
   throw InputError(file.string() +
-                   ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
-                   "for a table in a text file no 'topic'");
+                   ": is not a bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag; "
+                   "a text table has no 'topic'");
 }
 
 bool ReadPackedFile(const fs::path& packed, const UnpackedFile& file, BagVisitor* visitor,
                     bool to_the_damage) {
   const auto told = [&](const std::string& damage) {
     return BagDamage(
-        fmt::format("{}: {}; copy the file again, or read what stands before by "
-                    "--skip-bad-rows",
+        fmt::format("{}: {}; copy the file again, or read the part before with --skip-bad-rows",
                     packed.string(), damage));
   };
   if (file.damage() && !to_the_damage) throw told(*file.damage());

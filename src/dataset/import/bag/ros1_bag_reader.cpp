@@ -67,7 +67,7 @@ class Ros1BagReader {
     std::uint64_t at = 0;
     try {
       if (file_.Read(0, kFirstLine.size()) != kFirstLine) {
-        throw BadBytes{"the file does not begin as a ROS 1 bag of format 2.0"};
+        throw BadBytes{"the file does not begin with the line of a ROS 1 bag of format 2.0"};
       }
       for (at = kFirstLine.size(); at < file_.size();) {
         const std::string header = file_.Read(at + kLengthBytes, LengthAt(at));
@@ -81,9 +81,8 @@ class Ros1BagReader {
       return true;
     } catch (const BadBytes& bad) {
       throw BagDamage(
-          fmt::format("{0}: byte {1}: {2}; need a whole bag: copy it again, mend it by 'rosbag "
-                      "reindex {0}', or "
-                      "read what stands before by --skip-bad-rows",
+          fmt::format("{0}: byte {1}: {2}; need a complete bag: copy it again, repair it with "
+                      "'rosbag reindex {0}', or read the part before with --skip-bad-rows",
                       file_.path().string(), at, bad.finding));
     }
   }
@@ -103,7 +102,8 @@ class Ros1BagReader {
     if (!chunk_count_) throw BadBytes{"the bag has no header"};
     if (index_position_ == 0)
       throw BadBytes{
-          "the bag was not closed and has no index, as when a recorder is cut off (.bag.active)"};
+          "the bag was not closed and has no index, as after a crash of the recorder "
+          "(.bag.active)"};
     if (chunks_ != *chunk_count_ || chunk_infos_ != *chunk_count_) {
       throw BadBytes{
           fmt::format("the file ends after {} chunks and the index of {}, its header "
@@ -160,7 +160,8 @@ class Ros1BagReader {
     const auto id = header.Number<std::uint32_t>("conn");
     const auto connection = connections_.find(id);
     if (connection == connections_.end()) {
-      throw BadBytes{fmt::format("a message is of connection {}, which the bag has not shown", id)};
+      throw BadBytes{
+          fmt::format("a message refers to connection {}, which the bag has not declared", id)};
     }
     if (!connection->second.wanted) return true;
     return visitor_->Take(connection->second.number, {header.Time("time"), data});

@@ -38,7 +38,7 @@ class SqliteBagReader {
   bool Read() {
     for (const char* table : {"topics", "messages"}) {
       if (!HasTable(table)) {
-        throw InputError(fmt::format("{}: has no table '{}', so it is no bag of rosbag2",
+        throw InputError(fmt::format("{}: has no table '{}', so it is not a bag of rosbag2",
                                      file_.string(), table));
       }
     }
@@ -57,8 +57,8 @@ class SqliteBagReader {
   void Require(int status) const {
     if (status == SQLITE_OK || status == SQLITE_DONE || status == SQLITE_ROW) return;
     throw BagDamage(fmt::format(
-        "{}: SQLite says '{}'; need a whole SQLite 3 file of rosbag2: copy it again, or "
-        "read what can be read by --skip-bad-rows",
+        "{}: SQLite says '{}'; need a complete SQLite 3 file of rosbag2: copy it again, or read "
+        "the intact part with --skip-bad-rows",
         file_.string(),
         status == SQLITE_CORRUPT ? sqlite3_errstr(status) : sqlite3_errmsg(database_.get())));
   }
@@ -105,8 +105,8 @@ class SqliteBagReader {
     const std::uint64_t whole = page * number(28, 4);
     if (file.size() >= whole) return;
     throw BagDamage(
-        fmt::format("{}: ends after {} bytes, its head declares {}; copy the file again, or read "
-                    "what is there by --skip-bad-rows",
+        fmt::format("{}: ends after {} bytes, but its header declares {}; copy the file again, or "
+                    "read the available part with --skip-bad-rows",
                     file_.string(), file.size(), whole));
   }
 
@@ -178,8 +178,8 @@ class SqliteBagReader {
       if (IsZstdFrame(message)) message = unpacked = UnpackedZstd(message);
     } catch (const BadBytes& bad) {
       throw BagDamage(
-          fmt::format("{}: {} message {}: {}; copy the file again, or read what stands "
-                      "before by --skip-bad-rows",
+          fmt::format("{}: {} message {}: {}; copy the file again, or read the part before with "
+                      "--skip-bad-rows",
                       file_.string(), topic.name, row, bad.finding));
     }
     return visitor_->Take(topic.number, {sqlite3_column_int64(query.get(), 0), message});

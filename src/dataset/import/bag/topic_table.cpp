@@ -93,7 +93,7 @@ class TopicTable::Filler : public BagVisitor {
       const std::string fault =
           MessagePlace(table_->bag_, table_->topic_, line) + ": " + bad.finding;
       if (left_out_ == nullptr) {
-        throw InputError(fault + "; mend it, or leave such messages out by --skip-bad-rows");
+        throw InputError(fault + "; repair it, or skip such messages with --skip-bad-rows");
       }
       left_out_->Add(fault);
       return true;

@@ -32,8 +32,8 @@ std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uin
   if (ignored || room == static_cast<std::uint64_t>(-1)) return most;
   if (room < kLeftFree) {
     throw InputError(
-        fmt::format("{}: is compressed as a whole, and {} has no room to unpack it; "
-                    "free some, or name another folder by TMPDIR",
+        fmt::format("{}: is compressed as a whole, and {} has no space to unpack it; free some, or "
+                    "set TMPDIR to another folder",
                     packed.string(), folder.string()));
   }
   return std::min(most, room - kLeftFree);
@@ -93,8 +93,8 @@ void UnpackedFile::Unpack() {
       written += to.pos;
       if (written > most) {
         throw InputError(fmt::format(
-            "{}: its {} bytes unpack to more than {}, which no bag's do or for which {} has no "
-            "room; unpack it by 'unzstd' where there is room, and name that file",
+            "{}: its {} bytes unpack to more than {}, which is no plausible bag or exceeds the "
+            "space in {}; unpack it with 'unzstd' on a larger disk, and name that file",
             packed_.string(), packed.size(), most, folder_.string()));
       }
       full = to.pos == to.size;

@@ -5,8 +5,8 @@
 
 #include "dataset/import/clocks/motion_series.h"
 
-/// Search for the lag between two series. With lag l, the second series shows at t + l what the
-/// first shows at t.
+/// Search for the lag between two series. With lag l, the second series at t + l equals the first
+/// series at t.
 
 namespace tera {
 

@@ -33,8 +33,8 @@ inline constexpr std::uint64_t kMostCloudPoints = 100'000'000;
 /// Throws InputError if the number of points exceeds kMostCloudPoints.
 inline void RequirePointCount(const std::filesystem::path& file, std::uint64_t count) {
   if (count > kMostCloudPoints) {
-    RefuseCloud(file, fmt::format("{} points declared, need at most {}; thin it or cut out the "
-                                  "site, or write the file again if that is no true number",
+    RefuseCloud(file, fmt::format("{} points declared, need at most {}; thin the cloud, cut out "
+                                  "the site, or write the file again if this number is wrong",
                                   count, kMostCloudPoints));
   }
 }

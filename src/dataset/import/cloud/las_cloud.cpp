@@ -44,7 +44,7 @@ class LasReader {
   }
 
   void RequireHeader() const {
-    if (!bytes_.starts_with("LASF")) Refuse("does not begin as a LAS file does; need 'LASF'");
+    if (!bytes_.starts_with("LASF")) Refuse("does not begin with 'LASF' as a LAS file");
     const int major = At<std::uint8_t>(kVersionAt), minor = At<std::uint8_t>(kVersionAt + 1);
     if (major != 1 || minor > 4) {
       Refuse(fmt::format("LAS {}.{} found, need 1.0 to 1.4", major, minor));
@@ -98,10 +98,9 @@ class LasReader {
 
   void RequireRecord(std::uint64_t at, std::uint64_t length) const {
     if (at <= bytes_.size() && length <= bytes_.size() - at) return;
-    Refuse(
-        fmt::format("cut off: a record of its header reaches over the {} bytes that are there; "
-                    "copy the file again",
-                    bytes_.size()));
+    Refuse(fmt::format(
+        "cut off: a record of its header exceeds the {} bytes of the file; copy the file again",
+        bytes_.size()));
   }
 
   /// "EPSG:n" if the GeoTIFF keys name a projected or geographic system by code; words for a

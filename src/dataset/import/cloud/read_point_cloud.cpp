@@ -34,9 +34,9 @@ PointCloud Parse(const std::filesystem::path& file) {
   if (ending == ".pcd") return ParsePcd(file, bytes);
   if (ending == ".ply") return ParsePly(file, bytes);
   if (ending == ".las") return ParseLas(file, bytes);
-  RefuseCloud(file, fmt::format("'{}' is no ending of a point cloud that is known; need .pcd, "
-                                ".ply or .las",
-                                ending));
+  RefuseCloud(file,
+              fmt::format("'{}' is an unknown extension of a point cloud; need .pcd, .ply or .las",
+                          ending));
 }
 
 }  // namespace
@@ -44,8 +44,8 @@ PointCloud Parse(const std::filesystem::path& file) {
 PointCloud ReadPointCloud(const std::filesystem::path& file) {
   PointCloud cloud = Parse(file);
   if (cloud.p_m.empty()) {
-    RefuseCloud(file, fmt::format("no point has a place ({} without finite coordinates, {} marked "
-                                  "as noise or withheld); need a file with points",
+    RefuseCloud(file, fmt::format("no point is usable ({} without finite coordinates, {} marked as "
+                                  "noise or withheld); need a file with points",
                                   cloud.without_place, cloud.marked));
   }
   return cloud;

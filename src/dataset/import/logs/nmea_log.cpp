@@ -111,21 +111,21 @@ class NmeaReader {
       if (line.empty() || line.front() == '#' || line.front() == '!') continue;
       const auto sentence = SentenceIn(line);
       if (!sentence) {
-        if (!first_unsound_) lines_.Fault("is no sentence, which begins with '$'", left_out_);
+        if (!first_unsound_) lines_.Fault("is not a sentence, which begins with '$'", left_out_);
       } else if (++sentences_; !sentence->is_sound) {
         TakeUnsound();
       } else if (first_unsound_) {
         throw InputError(*first_unsound_);
       } else if (!Take(FieldsOf(sentence->body, ','))) {
-        lines_.Fault("is a sentence without the fields that it must have", left_out_);
+        lines_.Fault("is a sentence without its required fields", left_out_);
       }
     }
     if (unsound_ > 1 && unsound_ == sentences_) {
-      throw InputError(lines_.file().string(),
-                       {FaultKind::kMalformed,
-                        fmt::format("all {} sentences have checksums that are not their own, as "
-                                    "where a program changed them; need the receiver's own log",
-                                    unsound_)});
+      throw InputError(
+          lines_.file().string(),
+          {FaultKind::kMalformed, fmt::format("all {} sentences have wrong checksums: did a "
+                                              "program change them? need the receiver's own log",
+                                              unsound_)});
     }
     if (first_unsound_) throw InputError(*first_unsound_);
     return std::move(epochs_);
@@ -146,7 +146,7 @@ class NmeaReader {
   void TakeUnsound() {
     ++unsound_;
     try {
-      lines_.Fault("its checksum is not that of the sentence", left_out_);
+      lines_.Fault("its checksum does not match the sentence", left_out_);
     } catch (const InputError& fault) {
       if (!first_unsound_) first_unsound_ = fault;
     }
@@ -258,8 +258,8 @@ class NmeaReader {
     const bool agrees = talkers_.Add(kind, talker, *position);
     if (!talker_.empty() && talker != talker_) return true;
     if (!agrees) {
-      lines_.Fault(fmt::format("says another place than a {} before it of the same time and "
-                               "talker, as of two receivers; write each into a file of its own",
+      lines_.Fault(fmt::format("gives another position than an earlier {} of the same time and "
+                               "talker: are there two receivers? write each into its own file",
                                kind),
                    left_out_);
       return true;
@@ -369,17 +369,17 @@ std::unique_ptr<const RowTable> ReadNmeaLog(const std::filesystem::path& file,
   std::vector<Epoch> epochs = reader.Read();
   const std::vector<std::string> rivals = reader.talkers().Rivals(), all = reader.talkers().All();
   if (talker.empty() && !rivals.empty()) {
-    throw InputError(file.string(),
-                     {FaultKind::kMissing,
-                      fmt::format("the talkers {} say of the same times where they are, as of "
-                                  "several receivers; need the one to read, for instance 'talker: "
-                                  "{}' beside the file",
-                                  fmt::join(rivals, ", "), rivals.front())});
+    throw InputError(
+        file.string(),
+        {FaultKind::kMissing,
+         fmt::format("the talkers {} give positions at the same times: are there several "
+                     "receivers? choose one, for instance 'talker: {}' beside the file",
+                     fmt::join(rivals, ", "), rivals.front())});
   }
   if (!talker.empty() && std::find(all.begin(), all.end(), talker) == all.end()) {
     throw InputError(file.string(),
                      {FaultKind::kNoSuchName,
-                      fmt::format("no position is of the talker '{}'; it has those of {}", talker,
+                      fmt::format("no position has the talker '{}'; the log has {}", talker,
                                   all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", ")))});
   }
   FillDates(&epochs);

@@ -116,7 +116,7 @@ void LogLines::Fault(const std::string& finding, LeftOutRows* left_out) const {
   const std::string place = fmt::format("{}:{}", file_.string(), number_);
   if (left_out == nullptr) {
     throw InputError(place, {FaultKind::kMalformed,
-                             finding + "; mend it, or leave such lines out by --skip-bad-rows"});
+                             finding + "; repair it, or skip such lines with --skip-bad-rows"});
   }
   left_out->Add(place + ": " + finding);
 }

@@ -126,8 +126,8 @@ std::unique_ptr<const RowTable> ReadPosLog(const std::filesystem::path& file,
     if (fields.empty()) continue;
     if (!system) {
       throw InputError(
-          fmt::format("{}:{}: no line of column names stands before it; need the "
-                      "header that RTKLIB writes, which says what times are of",
+          fmt::format("{}:{}: no line of column names precedes it; need the header that RTKLIB "
+                      "writes, which names the time scale",
                       file.string(), lines.number()));
     }
     AddSolution(fields, *system, lines, left_out, table.get());

@@ -82,7 +82,7 @@ class TrajectoryReader {
       throw InputError(
           lines_.file().string(),
           {FaultKind::kInconsistent,
-           fmt::format("has {} poses beside {} times; need as many", pose_, times_.size())});
+           fmt::format("has {} poses but {} times; need the same number", pose_, times_.size())});
     }
     return table;
   }
@@ -108,7 +108,7 @@ class TrajectoryReader {
     }
     if (is_kitti) {
       const auto pose = PoseOfRows(v);
-      if (!pose) lines_.Fault("its numbers are no rotation with a place", left_out_);
+      if (!pose) lines_.Fault("its numbers are not a rotation and a position", left_out_);
       return pose;
     }
     const auto time_ns = PoseTimeOf(fields[0], type_ == kEurocPosesType);

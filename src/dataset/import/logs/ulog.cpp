@@ -25,7 +25,7 @@ class UlogReader {
   explicit UlogReader(const std::filesystem::path& file)
       : file_(file), bytes_(ReadWholeFile(file)) {
     if (bytes_.size() < kHeaderBytes || !bytes_.starts_with(kMagic)) {
-      throw InputError(fmt::format("{}: is no ULog; need a log of PX4 (.ulg)", file.string()));
+      throw InputError(fmt::format("{}: is not a ULog; need a log of PX4 (.ulg)", file.string()));
     }
     constexpr int kNewest = 1;
     const int version = static_cast<unsigned char>(bytes_[kMagic.size()]);
@@ -92,14 +92,14 @@ class UlogReader {
         if (body.size() < 2) throw BadBytes{"has a message of data without a topic"};
         ++messages_;
         const auto known = topic_of_.find(UlogNumberAt<std::uint16_t>(body, 0));
-        if (known == topic_of_.end()) throw BadBytes{"has data of a topic that was not offered"};
+        if (known == topic_of_.end()) throw BadBytes{"has data of an undeclared topic"};
         *topic = known->second;
         *payload = body.substr(2);
         return true;
       }
       default:
         // Texts, parameters and marks are skipped. A message type is always a letter.
-        if (type < 'A' || type > 'Z') throw BadBytes{"has bytes that are no message"};
+        if (type < 'A' || type > 'Z') throw BadBytes{"has bytes that are not a message"};
         return false;
     }
   }
@@ -181,7 +181,7 @@ std::unique_ptr<const RowTable> ReadUlog(const std::filesystem::path& file,
   std::vector<UlogNumber> wanted;
   const auto fault = [&](const std::string& finding) {
     if (left_out == nullptr) {
-      throw InputError(finding + "; mend it, or leave it out by --skip-bad-rows");
+      throw InputError(finding + "; repair it, or skip it with --skip-bad-rows");
     }
     left_out->Add(finding);
   };

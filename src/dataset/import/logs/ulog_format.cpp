@@ -96,7 +96,7 @@ void UlogFormats::AddField(std::string_view type, const std::string& path, int d
     if (count == 0) throw BadBytes{"has an array without a length, " + path};
     type = type.substr(0, bracket);
   }
-  if (path.size() > kLongestPath) throw BadBytes{"has a field with a name that nobody could write"};
+  if (path.size() > kLongestPath) throw BadBytes{"has a field with an invalid name"};
   const BasicType* const basic = BasicOf(type);
   for (std::size_t k = 0; k < count; ++k) {
     const std::string element = is_array ? fmt::format("{}[{}]", path, k) : path;

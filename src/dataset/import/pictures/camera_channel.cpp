@@ -119,17 +119,17 @@ class CameraImport {
     if (width_px != width_px_ || height_px != height_px_) {
       throw InputError(
           place, {FaultKind::kInconsistent,
-                  fmt::format("its picture has {} x {} px, {} {} x {}; need one size, as the "
-                              "camera's own CameraInfo or 'lens' has",
+                  fmt::format("its picture has {} x {} px, {} {} x {}; need one size, that of the "
+                              "camera's CameraInfo or 'lens'",
                               width_px, height_px, plan_.lens ? "the lens is of" : "the first had",
                               width_px_, height_px_)});
     }
     if (picture.rgb.empty() == is_depth_) return;
-    throw InputError(place,
-                     {FaultKind::kInconsistent,
-                      fmt::format("is a picture of {}, those before are of {}; import them "
-                                  "as two cameras",
-                                  is_depth_ ? "colour" : "depth", is_depth_ ? "depth" : "colour")});
+    throw InputError(
+        place,
+        {FaultKind::kInconsistent,
+         fmt::format("is a picture of {}, earlier ones are of {}; import them as two cameras",
+                     is_depth_ ? "colour" : "depth", is_depth_ ? "depth" : "colour")});
   }
 
   const CameraPlan& plan_;
@@ -187,15 +187,18 @@ class CameraKeys {
   void ReadBagTopic() {
     const auto files = FilesOrList(channel_.Has("file") ? channel_ : top_, "file", kBagMetadata);
     if (files.size() != 1) {
-      if (files.size() > 1) channel_.Fault("file", "names several files; pictures are read of one");
+      if (files.size() > 1)
+        channel_.Fault("file", "names several files; need one file of pictures");
       return;
     }
     plan_->file = files.front();
     if (!LooksLikeBag(plan_->file)) {
-      channel_.Fault("file", {FaultKind::kUnsupported,
-                              fmt::format("{} is no bag; need a bag with 'topic', or a folder of "
-                                          "pictures in 'files'",
-                                          plan_->file.string())});
+      channel_.Fault(
+          "file",
+          {FaultKind::kUnsupported,
+           fmt::format(
+               "{} is not a bag; need a bag with 'topic', or a folder of pictures in 'files'",
+               plan_->file.string())});
       return;
     }
     const auto topic = ReadNamedTopic(channel_, "topic", plan_->file, unpacked_);
@@ -256,7 +259,7 @@ class CameraKeys {
     const bool looks_rectified = pictures.name.find("rect") != pictures.name.npos;
     if (looks_rectified && !channel_.Has("rectified")) {
       channel_.Fault("rectified", {FaultKind::kMissing,
-                                   "is missing: the topic's name is as of rectified pictures; need "
+                                   "is missing: the topic's name suggests rectified pictures; need "
                                    "true, for the lens P of CameraInfo, or false, for K and D"});
       return;
     }

@@ -93,8 +93,8 @@ CameraLens LensOf(const CameraInfoFields& info, const std::string& place, bool i
                        (info.region[3] != 0 && info.region[3] != info.width_px);
   if (is_part) {
     throw InputError(place, {FaultKind::kUnsupported,
-                             "its pictures are binned or a part of the sensor's; need whole ones, "
-                             "or write the pictures' own 'lens' instead of 'info'"});
+                             "its pictures are binned or cropped; need full pictures, or write "
+                             "their own 'lens' instead of 'info'"});
   }
   CameraLens lens{.width_px = static_cast<int>(info.width_px),
                   .height_px = static_cast<int>(info.height_px)};
@@ -104,11 +104,11 @@ CameraLens LensOf(const CameraInfoFields& info, const std::string& place, bool i
   lens.cy_px = is_rectified ? info.p[6] : info.k[5];
   if (!is_rectified) TakeDistortion(info, place, &lens);
   if (lens.fx_px > 0 && lens.fy_px > 0) return lens;
-  throw InputError(
-      place, {FaultKind::kOutOfRange,
-              fmt::format("its focal lengths are {} and {} px, as of a camera that was never "
-                          "calibrated; calibrate it, write its 'lens', or say 'uncalibrated: true'",
-                          lens.fx_px, lens.fy_px)});
+  throw InputError(place,
+                   {FaultKind::kOutOfRange,
+                    fmt::format("its focal lengths are {} and {} px, as of an uncalibrated camera; "
+                                "calibrate it, write its 'lens', or set 'uncalibrated: true'",
+                                lens.fx_px, lens.fy_px)});
 }
 
 class FirstMessage : public BagVisitor {
@@ -182,9 +182,10 @@ CameraLens ReadCameraInfo(const std::filesystem::path& bag, const BagTopic& topi
   ReadBag(bag, unpacked, &first, /*to_the_damage=*/true);
   const std::string place = MessagePlace(bag, topic, 1);
   if (!first.bytes()) {
-    throw InputError(place, {FaultKind::kMissing,
-                             "the topic has no message; write the camera's 'lens', or say "
-                             "'uncalibrated: true'"});
+    throw InputError(
+        place,
+        {FaultKind::kMissing,
+         "the topic has no message; write the camera's 'lens', or set 'uncalibrated: true'"});
   }
   try {
     return LensOf(ReadFields(topic.message_encoding, *first.bytes()), place, is_rectified);

@@ -67,12 +67,11 @@ cv::Mat RowsOf(const RawPixels& p, int type, const std::string& place) {
   const std::size_t row = static_cast<std::size_t>(p.width_px) * CV_ELEM_SIZE(type);
   if (!is_picture || p.step_bytes < row || p.step_bytes % CV_ELEM_SIZE1(type) != 0 ||
       p.bytes.size() / p.step_bytes < static_cast<std::size_t>(p.height_px)) {
-    RefusePicture(
-        place, FaultKind::kMalformed,
-        fmt::format("{} x {} px of {} in rows of {} bytes, with {} bytes; need sides of 1 "
-                    "to {} px and {} bytes a row, or leave it out by --skip-bad-rows",
-                    p.width_px, p.height_px, p.encoding, p.step_bytes, p.bytes.size(), kMostSide_px,
-                    row));
+    RefusePicture(place, FaultKind::kMalformed,
+                  fmt::format("{} x {} px of {} in rows of {} bytes, with {} bytes; need sides of "
+                              "1 to {} px and {} bytes a row, or skip it with --skip-bad-rows",
+                              p.width_px, p.height_px, p.encoding, p.step_bytes, p.bytes.size(),
+                              kMostSide_px, row));
   }
   return {p.height_px, p.width_px, type, const_cast<char*>(p.bytes.data()), p.step_bytes};
 }
@@ -156,17 +155,18 @@ ImportedPicture DecodePictureFile(std::string_view bytes, const std::string& pla
   const bool is_png = bytes.starts_with("\x89PNG\r\n\x1a\n"),
              is_jpeg = bytes.starts_with("\xff\xd8");
   if (!is_png && !is_jpeg) {
-    RefusePicture(place, FaultKind::kUnsupported,
-                  fmt::format("{} bytes that are neither PNG nor JPEG; convert the pictures to one",
-                              bytes.size()));
+    RefusePicture(
+        place, FaultKind::kUnsupported,
+        fmt::format("{} bytes that are neither PNG nor JPEG; convert the pictures to one of them",
+                    bytes.size()));
   }
   const bool is_whole = is_png ? bytes.find("IEND") != bytes.npos : EndsAsJpeg(bytes);
   const cv::Mat read = is_whole ? Decoded(bytes) : cv::Mat();
   if (read.empty()) {
-    RefusePicture(place, FaultKind::kMalformed,
-                  fmt::format("not a whole {} ({} bytes); copy it again, or leave it out by "
-                              "--skip-bad-rows",
-                              is_png ? "PNG" : "JPEG", bytes.size()));
+    RefusePicture(
+        place, FaultKind::kMalformed,
+        fmt::format("not a complete {} ({} bytes); copy it again, or skip it with --skip-bad-rows",
+                    is_png ? "PNG" : "JPEG", bytes.size()));
   }
   if (read.type() == CV_16UC1) return {.rgb = {}, .depth_m = DepthOf(read, kDepthUnit_m)};
   const int channels = read.channels();

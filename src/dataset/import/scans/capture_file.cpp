@@ -23,11 +23,12 @@ Capture OpenCapture(const std::filesystem::path& file) {
       pcap_open_offline_with_tstamp_precision(file.c_str(), PCAP_TSTAMP_PRECISION_NANO, why),
       &pcap_close);
   if (!capture) {
-    throw InputError(file.string(),
-                     {FaultKind::kMalformed,
-                      fmt::format("is no capture of a network ({}); need a pcap or pcapng file, or "
-                                  "the topic of a bag",
-                                  why)});
+    throw InputError(
+        file.string(),
+        {FaultKind::kMalformed,
+         fmt::format(
+             "is not a network capture ({}); need a pcap or pcapng file, or the topic of a bag",
+             why)});
   }
   return capture;
 }
@@ -241,8 +242,8 @@ void ReadCapture(const std::filesystem::path& file, int port, const LeaveOut& le
     try {
       if (datagram->is_cut) {
         RefusePacket(packet,
-                     "the capture holds only its beginning; capture whole packets "
-                     "(tcpdump -s 0), or leave such out by --skip-bad-rows");
+                     "the capture holds only its beginning; capture whole packets (tcpdump -s 0), "
+                     "or skip such packets with --skip-bad-rows");
       }
       take(packet);
     } catch (const InputError& fault) {

@@ -58,8 +58,8 @@ std::vector<std::string> RemarksOn(const ScanTally& tally, std::size_t scans,
   }
   if (tally.cut > 0) {
     remarks.push_back(
-        fmt::format("{} of {} scans hold less than a turn, the least {:.0f} % of it, "
-                    "as where a log begins and ends",
+        fmt::format("{} of {} scans cover less than a turn, the shortest {:.0f} % of it, as at the "
+                    "begin and end of a log",
                     tally.cut, scans, 100 * tally.least_turn));
   }
   if (!source.remark.empty()) remarks.push_back(source.remark);

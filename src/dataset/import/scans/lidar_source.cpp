@@ -102,7 +102,7 @@ class LidarKeys {
     if (channel_.Has("files")) return ReadFolder();
     const auto files = FilesOrList(channel_.Has("file") ? channel_ : top_, "file", kBagMetadata);
     if (files.size() != 1) {
-      if (files.size() > 1) channel_.Fault("file", "names several files; scans are read of one");
+      if (files.size() > 1) channel_.Fault("file", "names several files; need one file of scans");
       return {};
     }
     source_.file = files.front();
@@ -188,8 +188,8 @@ class LidarKeys {
     const auto unit = ReadUnit({"ouster", "vlp16", "vlp32c", "qt64"});
     if (!unit) {
       if (channel_.Has("unit") && !channel_.Has("metadata") && channel_.Text("unit") == "ouster") {
-        channel_.Fault("metadata", {FaultKind::kMissing,
-                                    "is missing; need the JSON that the sensor itself gave"});
+        channel_.Fault("metadata",
+                       {FaultKind::kMissing, "is missing; need the metadata JSON of the sensor"});
       }
       return;
     }
@@ -249,7 +249,7 @@ class LidarKeys {
     }
     form.full_intensity = channel_.OptionalNumber("full_intensity", Positive(""));
     if (form.stamp != PointForm::Stamp::kUnknown) {
-      source_.remark = "points without times of their own count as of the scan's first ray";
+      source_.remark = "points without times take the time of the scan's first ray";
     }
     return form;
   }

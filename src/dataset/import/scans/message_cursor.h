@@ -22,7 +22,7 @@ class MessageCursor {
     constexpr std::size_t kHeadBytes = 4;
     if (!is_cdr_) return;
     if (message.size() < kHeadBytes || message[0] != 0 || message[1] != 1) {
-      throw BadBytes{"it does not begin as little-endian CDR does"};
+      throw BadBytes{"it does not begin with the header of little-endian CDR"};
     }
     bytes_.remove_prefix(kHeadBytes);
   }
@@ -36,7 +36,7 @@ class MessageCursor {
   }
   std::string_view Bytes(std::uint64_t count) {
     if (at_ > bytes_.size() || count > bytes_.size() - at_) {
-      throw BadBytes{fmt::format("{} bytes are declared where {} are left", count,
+      throw BadBytes{fmt::format("{} bytes are declared, but {} are left", count,
                                  at_ > bytes_.size() ? 0 : bytes_.size() - at_)};
     }
     const std::string_view bytes = bytes_.substr(at_, count);

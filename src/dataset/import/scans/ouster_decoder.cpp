@@ -58,17 +58,17 @@ class OusterDecoder : public PacketDecoder {
     if (packet.bytes.size() == sheet_.packet_bytes()) {
       if (sheet_.is_legacy) return;
       if (PacketNumber<std::uint8_t>(packet.bytes, 0) == 1) return RequireOwnSerial(packet);
-      RefusePacket(packet,
-                   "is of another kind than 1, the lidar's; need the packets of the unit "
-                   "that the metadata describe",
-                   FaultKind::kInconsistent);
+      RefusePacket(
+          packet,
+          "is not a lidar packet (kind 1); need the packets of the unit that the metadata describe",
+          FaultKind::kInconsistent);
     }
     RefusePacket(
         packet,
-        fmt::format("has {} bytes where the metadata's profile {} of {} beams makes {}: "
-                    "they are of another unit or another setting; give the metadata that "
-                    "were read from it then",
-                    packet.bytes.size(), sheet_.profile, sheet_.beams, sheet_.packet_bytes()),
+        fmt::format(
+            "has {} bytes, but the metadata's profile {} of {} beams gives {}: the metadata belong "
+            "to another unit or setting; give the metadata of this recording",
+            packet.bytes.size(), sheet_.profile, sheet_.beams, sheet_.packet_bytes()),
         FaultKind::kInconsistent);
   }
 
@@ -79,11 +79,11 @@ class OusterDecoder : public PacketDecoder {
     if (sheet_.is_fusa) return;  // headers of this profile differ
     const std::uint64_t serial = PacketNumber<std::uint64_t>(packet.bytes, 7) & k40Bits;
     if (serial == sheet_.serial || serial == 0 || sheet_.serial == 0) return;
-    RefusePacket(packet,
-                 fmt::format("is of the unit {}, the metadata are of {} {}; give the metadata that "
-                             "were read from that unit",
-                             serial, sheet_.product, sheet_.serial),
-                 FaultKind::kInconsistent);
+    RefusePacket(
+        packet,
+        fmt::format("is of the unit {}, the metadata are of {} {}; give the metadata of that unit",
+                    serial, sheet_.product, sheet_.serial),
+        FaultKind::kInconsistent);
   }
 
   std::uint32_t FrameOf(const UnitPacket& packet) const {
@@ -118,8 +118,8 @@ class OusterDecoder : public PacketDecoder {
     const int number = PacketNumber<std::uint16_t>(column, 8);
     if (number >= sheet_.columns_per_frame) {
       RefusePacket(packet,
-                   fmt::format("has column {} of a turn of {} by its metadata; give those "
-                               "that were read from the unit then",
+                   fmt::format("has column {}, but a turn has {} by the metadata; give the "
+                               "metadata of this recording",
                                number, sheet_.columns_per_frame),
                    FaultKind::kInconsistent);
     }

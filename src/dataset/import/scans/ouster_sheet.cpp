@@ -37,7 +37,7 @@ class SheetReader {
   explicit SheetReader(const std::filesystem::path& file) : file_(file.string()) {
     json_ = Json::parse(ReadWholeFile(file), nullptr, /*allow_exceptions=*/false);
     if (!json_.is_object()) {
-      Fail("", FaultKind::kMalformed, "is no JSON object; need the metadata of an Ouster");
+      Fail("", FaultKind::kMalformed, "is not a JSON object; need the metadata of an Ouster");
     }
   }
 
@@ -88,7 +88,7 @@ class SheetReader {
 
   [[noreturn]] void Fail(const std::string& key, FaultKind kind, const std::string& what) const {
     throw InputError(key.empty() ? file_ : file_ + ": " + key,
-                     {kind, what + "; need the JSON that the sensor itself gave"});
+                     {kind, what + "; need the metadata JSON of the sensor"});
   }
 
  private:
@@ -139,7 +139,7 @@ void ReadFormat(const SheetReader& reader, OusterSheet* sheet) {
     const int count = reader.Integer(columns, "columns_per_frame", 1, kMostColumns);
     if (count != sheet->columns_per_frame) {
       reader.Fail("columns_per_frame", FaultKind::kInconsistent,
-                  fmt::format("is {}, lidar_mode says {}", count, sheet->columns_per_frame));
+                  fmt::format("is {}, but {} in lidar_mode", count, sheet->columns_per_frame));
     }
   }
   if (const Json* columns = reader.Format("columns_per_packet")) {

@@ -33,7 +33,7 @@ class MessageVisitor : public BagVisitor {
     } catch (const BadBytes& bad) {
       leave_out_(InputError(
           place, {FaultKind::kMalformed,
-                  bad.finding + "; mend it, or leave such messages out by --skip-bad-rows"}));
+                  bad.finding + "; repair it, or skip such messages with --skip-bad-rows"}));
     } catch (const InputError& fault) {
       leave_out_(fault);
     }

@@ -75,12 +75,12 @@ class PandarDecoder : public PacketDecoder {
     const auto at = [&](std::size_t place) { return PacketNumber<std::uint8_t>(bytes, place); };
     if (at(0) != 0xee || at(1) != 0xff) {
       RefusePacket(packet,
-                   std::string("does not begin with ee ff as those of a QT64 do") + kOrLeaveOut);
+                   std::string("does not begin with ee ff as a packet of a QT64") + kOrLeaveOut);
     }
     if (at(6) != kQt64Lasers || at(7) != kPandarBlocks || at(9) != 4) {
       RefusePacket(packet,
-                   fmt::format("is of {} lasers, {} blocks and steps of {} mm, need 64, 4 and 4 of "
-                               "a QT64; name the unit that it is",
+                   fmt::format("has {} lasers, {} blocks and steps of {} mm, need 64, 4 and 4 of a "
+                               "QT64; name the right unit",
                                at(6), at(7), at(9)),
                    FaultKind::kInconsistent);
     }

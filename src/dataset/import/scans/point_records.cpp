@@ -110,8 +110,8 @@ double RecordReader::TimeUnit_s(double largest) const {
 std::vector<TimeNs> RecordReader::TimesWithout(TimeNs stamp_ns) const {
   if (form_.stamp == PointForm::Stamp::kUnknown) {
     Fail({FaultKind::kMissing,
-          "its points have no times; say by 'stamp' of the lidar which ray the stamp is of: first, "
-          "or last with 'duration_s'"});
+          "its points have no times; set the lidar's 'stamp' to the ray of the stamp: first, or "
+          "last with 'duration_s'"});
   }
   const bool is_last = form_.stamp == PointForm::Stamp::kLast;
   const TimeNs first_ns = stamp_ns - (is_last ? FromSeconds(form_.duration_s.value_or(0)) : 0);
@@ -136,7 +136,7 @@ std::vector<TimeNs> RecordReader::Times(TimeNs stamp_ns) const {
   if (records_.count > 1 && !(length_s >= shortest_s && length_s <= kLongestScan_s)) {
     Fail({FaultKind::kOutOfRange,
           fmt::format("its scan would last {:.4g} s by '{}' in units of {:.4g} s, need {} to {} s; "
-                      "say the unit by 'time_unit' of the lidar (s, ms, us, ns)",
+                      "set the lidar's 'time_unit' (s, ms, us, ns)",
                       length_s, time_->name, unit_s, shortest_s, kLongestScan_s)});
   }
   const bool is_absolute = *most * unit_s >= kSinceEpoch_s;
@@ -162,8 +162,8 @@ std::vector<float> RecordReader::Intensities() const {
     if (!std::isfinite(value)) continue;
     if (value < 0 || value > 1) {
       Fail({FaultKind::kOutOfRange,
-            fmt::format("point {} has the {} {:.6g}, need 0 to {}; say by 'full_intensity' of the "
-                        "lidar which value is full (255 where it is one of 8 bits)",
+            fmt::format("point {} has the {} {:.6g}, need 0 to {}; set the lidar's "
+                        "'full_intensity' to the value of full scale (255 for 8 bits)",
                         k + 1, intensity_->name, value * full, full)});
     }
     values[k] = static_cast<float>(value);

@@ -30,12 +30,12 @@ void Revolution::End(double turn) {
   for (const TimedPoint& timed : points) {
     const TimeNs offset_ns = timed.t_ns - first_ns;
     if (offset_ns < 0 || offset_ns > std::numeric_limits<std::uint32_t>::max()) {
-      throw InputError(scan.place,
-                       {FaultKind::kInconsistent,
-                        fmt::format("the scan that begins here lasts {:.3f} s by its stamps, need "
-                                    "at most 4.29 s, as where a clock was set; leave such out by "
-                                    "--skip-bad-rows",
-                                    ToSeconds(offset_ns))});
+      throw InputError(
+          scan.place,
+          {FaultKind::kInconsistent,
+           fmt::format("the scan that begins here lasts {:.3f} s by its stamps, need at most 4.29 "
+                       "s: was a clock set? skip such scans with --skip-bad-rows",
+                       ToSeconds(offset_ns))});
     }
     scan.scan.points.push_back(timed.point);
     scan.scan.points.back().time_offset_ns = static_cast<std::uint32_t>(offset_ns);

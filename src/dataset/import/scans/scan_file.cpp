@@ -54,7 +54,7 @@ PcdHead ReadPcdHead(const fs::path& file, const std::string& bytes) {
     const auto value = k < words.size() ? ParseNumber<std::uint64_t>(words[k]) : std::nullopt;
     if (!value || *value > most) {
       RefuseScan(file, FaultKind::kMalformed,
-                 fmt::format("its header's {} is no whole number of at most {}", key, most));
+                 fmt::format("its header's {} is not a whole number of at most {}", key, most));
     }
     return static_cast<std::size_t>(*value);
   };

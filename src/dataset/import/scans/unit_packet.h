@@ -23,7 +23,7 @@ using TakePacket = std::function<void(const UnitPacket& packet)>;
                                       FaultKind kind = FaultKind::kMalformed) {
   throw InputError(packet.place, {kind, finding});
 }
-inline constexpr const char* kOrLeaveOut = "; leave such packets out by --skip-bad-rows";
+inline constexpr const char* kOrLeaveOut = "; skip such packets with --skip-bad-rows";
 
 /// Handles a fault that affects a single packet: counts and skips it if the user allows that, and
 /// otherwise throws it.

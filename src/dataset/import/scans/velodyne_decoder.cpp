@@ -115,8 +115,8 @@ class VelodyneDecoder : public PacketDecoder {
     const auto factory = PacketNumber<std::uint8_t>(packet.bytes, Layout::kFactoryAt);
     if (factory == unit_.factory_byte) return;
     RefusePacket(packet,
-                 fmt::format("is of {} by its factory byte, the mapping's unit is a {}; name the "
-                             "unit that it is (vlp16, vlp32c)",
+                 fmt::format("is of {} by its factory byte, but the mapping's unit is a {}; name "
+                             "the right unit (vlp16, vlp32c)",
                              ModelText(factory), unit_.name),
                  FaultKind::kInconsistent);
   }

@@ -284,8 +284,8 @@ std::string BagChannels::AddPose(const SeenTopic& seen) {
   if (look.Count(0) == 0) return "no message has a place";
   if (turns.unit == 0 && turns.zero > 0) {
     columns =
-        "  columns: {qw: {constant: 1}, qx: {constant: 0}, qy: {constant: 0}, qz: {constant: 0}}"
-        "   # guessed: nobody has filled the orientation\n";
+        "  columns: {qw: {constant: 1}, qx: {constant: 0}, qy: {constant: 0}, qz: {constant: 0}}   "
+        "# guessed: the orientation is empty\n";
   } else if (2 * turns.unit < look.Count(0)) {
     return "its quaternions are not of length 1";
   } else if (turns.unit < look.Count(0)) {

@@ -79,7 +79,7 @@ std::string JointYaml(const std::string& joint, const std::string& column, const
   UnitGuess remark = angle.unit;
   if (angle.begins_anew) {
     remark.doubt =
-        "it begins anew after a turn" + (angle.unit.doubt.empty() ? "" : "; " + angle.unit.doubt);
+        "it wraps after a turn" + (angle.unit.doubt.empty() ? "" : "; " + angle.unit.doubt);
   }
   std::string keys = "angle: " + ColumnYaml(column, angle.unit);
   if (angle.begins_anew) keys += ", wrap_deg: 360";

@@ -195,7 +195,7 @@ std::string MapPositionYaml(const std::vector<const NumbersOfColumn*>& columns, 
   const char* const names[] = {"east_m", "north_m", "up_m"};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const auto told = ToldUnit(*columns[k], Dimension::kLength);
-    const UnitGuess unit = told.value_or(UnitGuess{"m", 1.0, "no unit is told"});
+    const UnitGuess unit = told.value_or(UnitGuess{"m", 1.0, "no unit is given"});
     yaml += fmt::format("      {}: {}{}\n", names[k], ColumnYaml(columns[k]->name, unit),
                         DoubtRemark(unit));
   }

@@ -17,7 +17,7 @@ struct LongForm {
   std::vector<std::string> signals;  ///< signal names in order of appearance
 };
 
-/// A table in which rows of several sensors alternate: how to select the rows of one.
+/// A table in which rows of several sensors alternate: how to select the rows of one sensor.
 struct SourceGuess {
   std::string column, rule, remark;  ///< column with the sensor's id; item of `valid_if`; line with
                                      ///< a remark

@@ -144,10 +144,10 @@ UnitGuess GuessRateUnit(const AxisColumns& rates, const TurnWitness& witness) {
       !witness.forces.empty() && !GuessAccelerationUnit(witness.forces).is_known();
   if (fast > kFastestJoint_radps && !are_counts) {
     return {"deg/s", 1.0,
-            fmt::format("a tenth is beyond {:.4g}, which no joint turns at in rad/s", fast)};
+            fmt::format("a tenth is beyond {:.4g}, too fast for a joint in rad/s", fast)};
   }
   return {kUnknownUnit, 1.0,
-          fmt::format("nothing tells rad/s or deg/s; the largest is {:.4g}", largest)};
+          fmt::format("rad/s or deg/s is unknown; the largest is {:.4g}", largest)};
 }
 
 }  // namespace tera

@@ -20,7 +20,7 @@ void RefusePoints(const std::filesystem::path& log) {
   throw InputError(
       log.string(),
       {FaultKind::kUnsupported,
-       fmt::format("is a point cloud in text by its name; need a log. 'tera site' takes it as LAS: "
+       fmt::format("is a point cloud in text by its name; need a log. 'tera site' reads it as LAS: "
                    "pdal translate -r readers.text --readers.text.header=\"X Y Z\" "
                    "--readers.text.separator=\" \" {} {}.las; a table of a log needs another name",
                    log.string(), bare.string())});
@@ -42,8 +42,8 @@ std::string SuggestMapping(const std::filesystem::path& log,
   if (!overrides.empty()) {
     throw InputError("--set " + overrides.front(),
                      {FaultKind::kUnsupported,
-                      fmt::format("beside --suggest it says how a table in text is written "
-                                  "(csv.skip_lines=3), and {} is none; leave it out",
+                      fmt::format("with --suggest it describes the format of a text table "
+                                  "(csv.skip_lines=3), but {} is not one; remove it",
                                   log.string())});
   }
   std::error_code ignored;

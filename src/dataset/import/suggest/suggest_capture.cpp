@@ -59,12 +59,12 @@ std::string SuggestForCapture(const std::filesystem::path& log) {
     }
   }
   if (lidars.empty()) {
-    throw InputError(log.string(),
-                     {FaultKind::kMissing,
-                      fmt::format("is a capture of a network without UDP to 7502 (Ouster) or 2368 "
-                                  "(Velodyne, Hesai); name the lidar's 'port' in a mapping of "
-                                  "one's own\n{}",
-                                  others)});
+    throw InputError(
+        log.string(),
+        {FaultKind::kMissing,
+         fmt::format("is a network capture without UDP to 7502 (Ouster) or 2368 (Velodyne, Hesai); "
+                     "name the lidar's 'port' in your own mapping\n{}",
+                     others)});
   }
   return fmt::format(
              "# A first mapping by 'tera import --suggest': look at what is marked as guessed.\n"

@@ -123,9 +123,8 @@ std::string NmeaYaml(const fs::path& log, const RowTable& table, const NmeaConte
   std::string yaml = Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n";
   if (!contents.has_dates) yaml += "# no sentence has a date: times count from 1970-01-01\n";
   if (!contents.rivals.empty()) {
-    yaml += fmt::format(
-        "# talker: {}   # {} say of the same times where they are: name the one to read\n",
-        contents.rivals.front(), fmt::join(contents.rivals, ", "));
+    yaml += fmt::format("# talker: {}   # {} give positions at the same times: choose one\n",
+                        contents.rivals.front(), fmt::join(contents.rivals, ", "));
   }
   yaml += *origin + "gnss:\n  - name: gnss\n" + RulesOfNmea(table, height).Yaml();
   std::string columns;
@@ -331,10 +330,10 @@ std::string SuggestForFolder(const fs::path& folder) {
         "reindex {0}' writes it, or name {1} itself",
         folder.string(), entry.path().filename().string()));
   }
-  throw InputError(fmt::format(
-      "{}: is a folder of no known form; need a rosbag2 with metadata.yaml, a drive of KITTI with "
-      "oxts/timestamps.txt, data.csv files as EuRoC has them, or a file",
-      folder.string()));
+  throw InputError(
+      fmt::format("{}: is a folder of unknown form; need a rosbag2 with metadata.yaml, a drive of "
+                  "KITTI with oxts/timestamps.txt, data.csv files of EuRoC, or a file",
+                  folder.string()));
 }
 
 }  // namespace tera

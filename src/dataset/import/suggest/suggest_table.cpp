@@ -353,14 +353,13 @@ class TableGuess {
       yaml += "# no numbers: " + PlainNameOf(column.name) + "\n";
     }
     for (const NumbersOfColumn* column : with_words_) {
-      yaml += fmt::format("# '{}' has words for numbers in {} rows, which valid_if leaves out\n",
-                          column->name, column->words);
+      yaml +=
+          fmt::format("# '{}' has words instead of numbers in {} rows, which valid_if excludes\n",
+                      column->name, column->words);
     }
     if (left_out_.count > 0) {
-      yaml += fmt::format(
-          "# {} rows cannot be read, the first: {}; --skip-bad-rows leaves them "
-          "out\n",
-          left_out_.count, left_out_.first);
+      yaml += fmt::format("# {} rows cannot be read, the first: {}; --skip-bad-rows skips them\n",
+                          left_out_.count, left_out_.first);
     }
     return yaml;
   }
@@ -381,20 +380,19 @@ class TableGuess {
 
 std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides) {
-  RefuseForeignFile(log, "a table in text, a bag or another log that is known");
+  RefuseForeignFile(log, "a text table, a bag or another supported log");
   const std::string text = DecodedTable(ReadWholeFile(log));
   const auto layout = FindTableLayout(text, GivenFormOf(overrides));
   if (!layout) {
     const bool is_empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
-    throw InputError(
-        log.string(),
-        {FaultKind::kMissing,
-         is_empty ? "is empty; need a table with rows, copy or record it again"
-                  : fmt::format("has no {}; need a table, a bag or another log that is known "
-                                "(docs/reference/dataset.md, importing)",
-                                std::count(text.begin(), text.end(), '\n') <= 1
-                                    ? "row behind its first line"
-                                    : "column of numbers")});
+    throw InputError(log.string(),
+                     {FaultKind::kMissing,
+                      is_empty ? "is empty; need a table with rows, copy or record it again"
+                               : fmt::format("has no {}; need a table, a bag or another supported "
+                                             "log (docs/reference/dataset.md, importing)",
+                                             std::count(text.begin(), text.end(), '\n') <= 1
+                                                 ? "row behind its first line"
+                                                 : "column of numbers")});
   }
   return TableGuess(log, *layout).Yaml();
 }

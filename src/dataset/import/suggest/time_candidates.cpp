@@ -156,9 +156,9 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
     return candidate;
   }
   candidate.time = fmt::format("{{column: {}, unit: unknown}}", YamlWord(column.name));
-  candidate.remark = fmt::format(
-      "nothing tells its unit; it steps by {:.4g}, at {:.4g} Hz in s or {:.4g} Hz in ms", step,
-      1 / step, 1e3 / step);
+  candidate.remark =
+      fmt::format("its unit is unknown; it steps by {:.4g}, at {:.4g} Hz in s or {:.4g} Hz in ms",
+                  step, 1 / step, 1e3 / step);
   candidate.to_fill_in = true;
   return candidate;
 }
@@ -287,10 +287,10 @@ TimeCandidate OfCalendar(const CalendarColumn& date, const std::string& clock) {
     keys += candidate.to_fill_in ? ", order: unknown"
             : date.day_beyond_12 ? ", order: dmy"
                                  : ", order: mdy";
-    if (candidate.to_fill_in) candidate.remark = "no row tells whether day or month is first";
+    if (candidate.to_fill_in) candidate.remark = "no row shows whether day or month is first";
   }
   if (has_date && date.without_zone > 0 && !candidate.to_fill_in) {
-    candidate.remark = "no zone is told, taken as UTC; else say zone: \"+01:00\"";
+    candidate.remark = "no zone is given, taken as UTC; otherwise set zone: \"+01:00\"";
   }
   candidate.time = "{" + keys + "}";
   return candidate;

@@ -114,13 +114,13 @@ void TakeLongestPart(const CsvFile& csv, const SeenTimes& seen, TimeGuess* guess
   for (std::size_t k = 1; k + 1 < starts.size(); ++k) {
     const std::size_t row = starts[k];
     guess->parts += fmt::format(
-        "# line {} begins anew, {:.6g} s before the row above it, as where a logger was started "
-        "anew or its clock was set\n",
+        "# line {} goes back by {:.6g} s, as after a restart of the logger or a change of its "
+        "clock\n",
         line_of(row), ToSeconds(seen.t_ns[row - 1] - seen.t_ns[row]));
   }
   guess->parts +=
-      "# csv takes the longest part by first_line and last_line: import each of the others by its "
-      "own\n";
+      "# csv selects the longest part with first_line and last_line: import each other part "
+      "separately\n";
 }
 
 /// The candidate's `time`, with a possible value in place of each placeholder.
@@ -138,18 +138,18 @@ std::string RepeatRemarks(const SeenTimes& seen) {
   std::string remarks;
   if (seen.repeats > 0) {
     remarks += fmt::format(
-        "# line {} repeats the time of the row before{}; valid_if leaves such rows out\n",
+        "# line {} repeats the time of the previous row{}; valid_if excludes such rows\n",
         seen.first_repeat,
         seen.repeats > 1 ? fmt::format(", and so do {} more", seen.repeats - 1) : "");
   }
   if (seen.backs > 0) {
     remarks += fmt::format(
-        "# line {} is earlier than the row before{}; --skip-bad-rows leaves such rows out\n",
+        "# line {} is earlier than the previous row{}; --skip-bad-rows skips such rows\n",
         seen.first_back, seen.backs > 1 ? fmt::format(", and so are {} more", seen.backs - 1) : "");
   }
   if (seen.without > 0) {
     remarks +=
-        fmt::format("# {} rows have no time; --skip-bad-rows leaves such rows out\n", seen.without);
+        fmt::format("# {} rows have no time; --skip-bad-rows skips such rows\n", seen.without);
   }
   return remarks;
 }
@@ -158,10 +158,10 @@ TimeGuess ToFillIn(std::size_t row_count, const std::vector<NumbersOfColumn>& co
                    const std::vector<SeenCandidate>& candidates) {
   std::string seen;
   for (const SeenCandidate& candidate : candidates) {
-    seen +=
-        fmt::format("; {} does not go on as a time: of {} rows {} repeat, {} go back, {} lack it",
-                    candidate.time, candidate.seen.rows, candidate.seen.repeats,
-                    candidate.seen.backs, candidate.seen.without);
+    seen += fmt::format(
+        "; {} does not increase as a time: of {} rows {} repeat, {} go back, {} lack it",
+        candidate.time, candidate.seen.rows, candidate.seen.repeats, candidate.seen.backs,
+        candidate.seen.without);
   }
   constexpr int kMostNamed = 3;
   int named = 0;
@@ -170,7 +170,7 @@ TimeGuess ToFillIn(std::size_t row_count, const std::vector<NumbersOfColumn>& co
         column.values.size() == row_count && row_count > 1 &&
         std::is_sorted(column.values.begin(), column.values.end(), std::less_equal<>());
     if (!increases || ++named > kMostNamed) continue;
-    seen += fmt::format("; '{}' always increases, by {:.4g}, but no name says that it is a time",
+    seen += fmt::format("; '{}' always increases, by {:.4g}, but its name is not that of a time",
                         column.name, column.MedianStep());
   }
   return {.yaml =
@@ -208,8 +208,8 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   std::string time = best->time, remark = best->remark;
   if (const auto turn = best->to_fill_in ? std::nullopt : TurnOf(csv, *best, best->seen)) {
     time.insert(time.size() - 1, fmt::format(", wraps_at: {:.10g}", *turn));
-    remark += fmt::format("{}it begins anew after {:.10g}, {} time{}", remark.empty() ? "" : "; ",
-                          *turn, best->seen.backs, best->seen.backs == 1 ? "" : "s");
+    remark += fmt::format("{}it wraps after {:.10g}, {} time{}", remark.empty() ? "" : "; ", *turn,
+                          best->seen.backs, best->seen.backs == 1 ? "" : "s");
     best_seen = Look(csv, rows, "time: " + time);
     if (!guess.t_ns.empty()) guess.t_ns = best_seen.t_ns;
   }

@@ -20,7 +20,7 @@ std::string TimeYaml(const std::string& value, const std::string& reason) {
 
 /// Reason for not using the stamps; empty if they are usable.
 std::string WhyNotOwn(const TopicTimes& times, bool trusts_far) {
-  if (times.own_steps.rows == 0) return "their own is always 0, nobody has filled it";
+  if (times.own_steps.rows == 0) return "their own is always 0";
   if (times.own_steps.IsStuck()) {
     return fmt::format("{} of {} of their own repeat the one before", times.own_steps.repeated,
                        times.own_steps.rows);
@@ -70,7 +70,7 @@ TimeChoice ChooseTime(const TopicTimes& times, bool trusts_far, RuleGuesses* rul
       log.rows > 1 && span_s > 0 ? span_s / static_cast<double>(log.rows - 1) : 0.01;
   return {TimeYaml(fmt::format("interval: {:.9g}, unit: s, offset: {:.9f}", interval_s,
                                ToSeconds(times.first_log_ns)),
-                   (reason.empty() ? "" : reason + "; ") + "those of the recorder do not go on"),
+                   (reason.empty() ? "" : reason + "; ") + "those of the recorder do not increase"),
           times.first_log_ns};
 }
 

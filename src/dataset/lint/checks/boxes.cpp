@@ -67,10 +67,10 @@ void CheckInstance(LintJob* job, const PictureSet& set, const ObjectBox& box, bo
   }
   if (box.name != listed->name) find(fmt::format("should be of '{}'", listed->name));
   if (NameOf(box.label) != listed->label) {
-    find(fmt::format("is of class {}, dataset.yaml says {}", NameOf(box.label), listed->label));
+    find(fmt::format("has the class {}, but {} in dataset.yaml", NameOf(box.label), listed->label));
   }
   if (box.parent != listed->parent) {
-    find(fmt::format("has the parent {}, dataset.yaml says {}", box.parent, listed->parent));
+    find(fmt::format("has the parent {}, but {} in dataset.yaml", box.parent, listed->parent));
   }
 }
 

@@ -29,8 +29,9 @@ void CheckSheet(LintJob* job, const std::string& sensor) {
     const SensorSheet sheet = ReadSensorSheet(job->Path(sensor));
     const std::string_view type = job->recording().TypeOf(sensor);
     if (sheet.type == type) return;
-    job->Find("files.sheet", sensor,
-              {file, 0, fmt::format("is of type '{}', dataset.yaml says {}", sheet.type, type)});
+    job->Find(
+        "files.sheet", sensor,
+        {file, 0, fmt::format("has the type '{}', but {} in dataset.yaml", sheet.type, type)});
   } catch (const InputError& e) {
     job->Find("files.sheet", sensor, {file, 0, e.what()});
   }

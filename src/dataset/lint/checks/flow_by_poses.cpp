@@ -111,7 +111,7 @@ void CheckFlowOf(LintJob* job, const std::string& camera) {
   if (agreement.agreeing >= kLeastAgreeing * agreement.compared) return;
   job->Find("pictures.motion", camera,
             {camera + "/flow_to_previous", 0,
-             fmt::format("only {} of {} ground pixels have the flow that the camera poses give",
+             fmt::format("{} of {} ground pixels have the flow that the camera poses give",
                          agreement.agreeing, agreement.compared)});
 }
 

@@ -67,7 +67,7 @@ void CheckLine(LintJob* job, const std::string& text, int line, std::set<std::st
   const std::string found = DigestOf(job->Path(file)).sha256;
   if (text.compare(0, kDigits, found) == 0) return;
   find(file, 0,
-       fmt::format("has the SHA-256 {}, frames.sha256 says {}", found, text.substr(0, kDigits)));
+       fmt::format("has the SHA-256 {}, but {} in frames.sha256", found, text.substr(0, kDigits)));
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ void ComparePair(LintJob* job, const Pair& pair) {
   if (agreement.agreeing >= kLeastAgreeingPoints * agreement.compared) return;
   job->Find("scans.depth", pair.lidar,
             {fmt::format("{}/{}", pair.camera, pair.folder.name), 0,
-             fmt::format("only {} of {} points in {} pictures have the depth of their pixel",
+             fmt::format("{} of {} points in {} pictures have the depth of their pixel",
                          agreement.agreeing, agreement.compared, agreement.pictures)});
 }
 

@@ -16,12 +16,12 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastContrast =
-    0.012;  ///< standard deviation of brightness on a scale of 0 to 1: three of 255
+/// Standard deviation of brightness on a scale of 0 to 1: three of 255.
+constexpr double kLeastContrast = 0.012;
 constexpr double kFewestLandmarks = 40;    ///< mean per picture
-constexpr double kLeastCorrelation = 0.5;  ///< of brightness at the edges
+constexpr double kLeastCorrelation = 0.5;  ///< least correlation of brightness at the edges
 constexpr double kFurthest_px = 1;         ///< RMS distance of the edges under the best calibration
-constexpr int kRounds = 2;                 ///< of rendering under the findings
+constexpr int kRounds = 2;  ///< repetitions with pictures rendered under the findings
 
 /// Standard deviation of a picture's values.
 double ContrastOf(const Image<float>& grey) {
@@ -34,7 +34,7 @@ double ContrastOf(const Image<float>& grey) {
   return std::sqrt(std::max(0.0, square / n - sum / n * sum / n));
 }
 
-/// Why the pictures cannot be compared; empty if they can.
+/// Reason why the pictures cannot be compared; empty if they can.
 std::string ObstacleTo(const PictureSource& source, const ScanSplit& split) {
   for (const Image<float>& grey : source.grey) {
     if (std::min(grey.width_px, grey.height_px) >= PictureLevels::kSmallest_px) continue;
@@ -60,8 +60,8 @@ SplitPoints LandmarksToRegister(const PictureRegistration& pictures, const ScanS
       split, [&](const std::vector<Part>& parts) { return pictures.PointsOf(split, parts); });
 }
 
-/// Search input of a camera. It evaluates the registration to which `pictures` points when it is
-/// called.
+/// Search input of a camera. A call of `residuals` evaluates the registration to which `pictures`
+/// points at that time.
 RegistrationBlock BlockOf(const PictureSource& source,
                           const std::unique_ptr<PictureRegistration>& pictures) {
   return {source.X_BS, source.present,
@@ -71,7 +71,7 @@ RegistrationBlock BlockOf(const PictureSource& source,
           PictureLevels::kCount - 1};
 }
 
-/// Why the registered pictures do not match the simulation; empty if they do.
+/// Reason why the registered pictures do not match the simulation; empty if they do.
 std::string ObstacleTo(const PictureRegistration& pictures, const SplitPoints& points,
                        const RegistrationSearch& search) {
   const double correlation = pictures.Correlation(points.seen, search.calibration);

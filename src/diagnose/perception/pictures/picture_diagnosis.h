@@ -22,7 +22,7 @@ namespace tera {
 /// Omits   The lens, rolling shutter, and differences of the scene.
 PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t seed);
 
-/// Compares recorded with rendered pictures. Both are reduced to a width of at most 400 pixels.
+/// Compares recorded with rendered pictures, reduced to a width of at most 400 pixels.
 PerceptionDiagnosis DiagnoseCamera(const RecordedSensor& camera, const Recording& recording,
                                    std::uint64_t seed, PictureCaster* caster);
 

@@ -8,8 +8,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSpread =
-    0.05;  ///< c in PictureLevels, on a scale of 0 to 1: less is no contrast
+/// The constant c of PictureLevels, on a scale of 0 to 1, suppresses areas with less contrast.
+constexpr double kLeastSpread = 0.05;
 constexpr double kWindowShare = 0.05;  ///< window for mean and variance, over the picture's width
 
 /// Moving average of `count` values at a distance of `stride`. Each result is the mean of a value
@@ -97,7 +97,7 @@ namespace {
 
 constexpr double kSquareShare = 1.0 / 30;  ///< side of a square, over the picture's width
 constexpr double kBorderShare = 0.02;      ///< margin without landmarks, over the picture's width
-constexpr double kLeastGradient = 0.08;    ///< per pixel, of normalised brightness
+constexpr double kLeastGradient = 0.08;    ///< least gradient of normalised brightness, per pixel
 constexpr double kLeastEdge = 1e-3;        ///< least divisor of a residual, per pixel
 /// Standard deviations of normalised brightness, of an edge's position, and of a camera shift at
 /// each level.
@@ -105,8 +105,9 @@ constexpr double kBrightnessSigma = 0.1, kPlaceSigma_px = 0.2;
 constexpr double kShiftSigma_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
 constexpr double kDifference_m = 1e-5;  ///< step for derivatives of the projection
 constexpr double kNearest_m = 0.05;     ///< least depth at which the camera sees
-constexpr double kSideOfEdge_px =
-    1.5;  ///< off the edge's centre, where the brightness is the same in every picture
+/// Distance of compared points from the edge's centre. At the centre, brightness does not depend on
+/// the direction of the edge.
+constexpr double kSideOfEdge_px = 1.5;
 
 /// Nearest depth among a pixel and its eight neighbours; 0 if none has a depth.
 double ForegroundDepth_m(const Image<float>& depth_m, int x, int y) {

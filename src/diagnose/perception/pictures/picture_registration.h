@@ -48,8 +48,8 @@ struct PictureSource {
 ///
 /// Model   Each pixel becomes (I - m) / sqrt(v + c^2), with c = 0.05. The mean m and the variance v
 ///         are taken over a window about the pixel. The window is a twentieth of the picture's
-///         width. This cancels gain, offset and vignetting, and keeps noise in uniform areas small.
-///         Level k is blurred by 2^k pixels.
+///         width. The normalisation cancels gain, offset and vignetting, and keeps noise in uniform
+///         areas small. Level k is blurred by 2^k pixels.
 class PictureLevels {
  public:
   static constexpr int kCount = 4;
@@ -76,14 +76,14 @@ Image<float> Blurred(const Image<float>& picture, double sigma_px);
 /// Frames  W, B, S, C as in PictureSource; T the camera under a calibration.
 /// Model   Each simulated picture is divided into squares of a thirtieth of its width. A square has
 ///         one landmark per level of blur, at its pixel with the steepest brightness. The landmark
-///         is the 3D point seen there. Its depth is the nearest among the pixel and its eight
-///         neighbours, because an edge belongs to the foreground.
+///         is the 3D point seen at this pixel. The landmark's depth is the nearest among the pixel
+///         and its eight neighbours, because an edge belongs to the foreground.
 ///         A calibration projects the landmark into the measured picture. The residual, in pixels,
-///         is the brightness difference there divided by the simulated slope. Its derivatives use
-///         the mean of the simulated and measured slopes. Brightness is that of PictureLevels.
-///         Noise has three parts: 0.1 of brightness divided by the slope; 0.2 pixels; on blurred
-///         levels also the parallax of a camera shift of up to 0.1 m. Landmarks outside the
-///         measured picture are not judged.
+///         is the brightness difference at the projection divided by the simulated slope. The
+///         derivatives of the residual use the mean of the simulated and measured slopes.
+///         Brightness is that of PictureLevels. Noise has three parts: 0.1 of brightness divided by
+///         the slope; 0.2 pixels; on blurred levels also the parallax of a camera shift of up to
+///         0.1 m. Landmarks outside the measured picture are not judged.
 /// Omits   Parts that appear or are occluded as the camera moves; moving shadows.
 /// Source  Lucas and Kanade 1981; Engel, Koltun and Cremers 2018, "Direct sparse odometry"; mean of
 ///         slopes: Benhimane and Malis 2004.
@@ -100,14 +100,14 @@ class PictureRegistration {
   /// Correlation coefficient of measured and simulated brightness to either side of the landmarks.
   double Correlation(const std::vector<ScanPoints>& points,
                      const SensorCalibration& calibration) const;
-  double MeanLandmarks() const;  ///< per frame
+  double MeanLandmarks() const;  ///< mean number of landmarks per frame
 
  private:
   struct Landmark {
-    Vec3 p_m = Vec3::Zero();  ///< in W; in B for a point on the machine
+    Vec3 p_m = Vec3::Zero();  ///< point in W; in B for a point on the machine
     Surface surface = Surface::kGround;
     float value = 0;               ///< simulated brightness
-    Vec2 gradient = Vec2::Zero();  ///< of the simulated brightness, per pixel
+    Vec2 gradient = Vec2::Zero();  ///< gradient of the simulated brightness, per pixel
   };
   /// Landmarks of one square of a picture, one per level.
   using Square = std::array<std::optional<Landmark>, PictureLevels::kCount>;
@@ -127,7 +127,8 @@ class PictureRegistration {
 
   const PictureSource& source_;
   std::vector<PictureLevels> measured_;
-  std::vector<std::vector<Square>> squares_;  ///< per frame: squares with a landmark at level 0
+  /// For each frame, the squares with a landmark at level 0.
+  std::vector<std::vector<Square>> squares_;
 };
 
 }  // namespace tera

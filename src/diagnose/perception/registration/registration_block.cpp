@@ -97,8 +97,8 @@ constexpr double kDegreesOfFreedom = 4;
 constexpr double kFurthest = 30;     ///< standard deviations: points further away add no evidence
 constexpr double kLeastScale = 0.2;  ///< actual noise is not far below the sensor's noise model
 constexpr double kInlierShare = 0.95;
-constexpr double kSigmaOfMad =
-    1.4826;  ///< ratio of standard deviation to median absolute deviation of normal noise
+/// Ratio of standard deviation to median absolute deviation of normal noise.
+constexpr double kSigmaOfMad = 1.4826;
 
 }  // namespace
 

@@ -18,12 +18,13 @@
 
 namespace tera {
 
-/// Assigns scans or pictures to the parts TRAIN, SELECT and FINAL, by blocks of time.
+/// Assigns scans or pictures to the parts TRAIN, SELECT and FINAL (docs/guide/glossary.md), by
+/// blocks of time.
 ///
 /// Model   A block lasts one second, or a fortieth of the recording if that is longer. Ten
 ///         consecutive blocks form a round: four for TRAIN, three for SELECT and three for FINAL,
 ///         in random order.
-/// Omits   Pose noise that lasts longer than a block. It counts as a sensor error.
+/// Omits   Pose noise that lasts longer than a block, which counts as a sensor error.
 struct ScanSplit {
   std::vector<std::size_t> block;  ///< block of each scan; blocks without scans are not counted
   std::vector<Part> part;          ///< part of each scan
@@ -52,8 +53,8 @@ using CalibrationMatrix = Eigen::Matrix<double, kCalibrationElements, kCalibrati
 using CalibrationJacobian = Eigen::Matrix<double, kCalibrationElements, Eigen::Dynamic>;
 
 /// Derivatives of the calibration with respect to the free parameters of `terms`, by central
-/// differences. A term replaces the effect of its mechanism in `present`. `X_BS` is the documented
-/// mount.
+/// differences. A term is a candidate mechanism with values (search/fit/replay_block.h). A term
+/// replaces the effect of its mechanism in `present`. `X_BS` is the documented mount.
 CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const Structure& terms);
 
 /// Residual of one measured point against the simulation under a calibration. Unit: metres for
@@ -63,8 +64,8 @@ struct PointResidual {
   Surface surface = Surface::kUnknown;  ///< simulated surface to which the point is associated
   double distance = 0;  ///< along the surface normal, positive behind the simulated surface or edge
   double sigma = 1;     ///< standard deviation of `distance` in the noise model
-  bool out_of_picture =
-      false;  ///< beyond the picture's border: not judged, and ignored in gains of likelihood
+  /// Beyond the picture's border: not judged, and ignored in gains of likelihood.
+  bool out_of_picture = false;
   CalibrationVector by_calibration = CalibrationVector::Zero();  ///< derivatives of `distance`
 
   bool is_judged() const { return IsComparable(surface); }
@@ -81,8 +82,7 @@ struct ScanPoints {
 double LogDensityAt(double distance_over_sigma);
 
 /// Log-likelihood of a residual relative to a distance of 0. The noise is `scale` times the
-/// residual's sigma. The loss is bounded by 13 (LogDensityAt at 30); unjudged points get this
-/// bound.
+/// residual's sigma. The loss is at most 13.6 (LogDensityAt at 30); unjudged points get this loss.
 double LogLikelihoodOf(const PointResidual& residual, double scale);
 double LogLikelihoodOf(const std::vector<PointResidual>& residuals, double scale);
 
@@ -104,16 +104,16 @@ enum class ComparedBy { kRanges, kPictures };
 /// sensors/sensor_mechanisms.h; all parameters are free.
 ///
 /// Model   Prior standard deviations by unit: 0.3 m, 5 deg, 5 per cent, 1 s. Starting values of the
-///         clock offset reach 3 s in either direction. They also include +-18 s, the difference
-///         between GPS time and UTC.
+///         clock offset reach 3 s in either direction, and include +-18 s, the difference between
+///         GPS time and UTC.
 /// Omits   Errors of single beams or pixels, drift, rolling shutter.
 std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
                                     const std::string& sensor, const Effects& present);
 
-/// Input to the search for effects on one sensor. It corresponds to ReplayBlock
-/// (search/fit/replay_block.h), which is the input for channels on a time grid. Each new
-/// calibration re-associates points with simulated surfaces or edges. Therefore the number of
-/// judged points depends on the terms. Each point has its own noise.
+/// Input to the search for effects on one sensor. ReplayBlock (search/fit/replay_block.h) is the
+/// corresponding input for channels on a time grid. Each new calibration re-associates points with
+/// simulated surfaces or edges. Therefore the number of judged points depends on the terms. Each
+/// point has its own noise.
 ///
 /// Frames  B link, S sensor as documented.
 struct RegistrationBlock {

@@ -12,11 +12,12 @@ namespace tera {
 namespace {
 
 constexpr int kFineRounds = 9, kCoarseRounds = 4;
-constexpr int kTurnsAlone = 3;  ///< from this level up, mount position and range errors stay fixed
+/// Levels from this one up keep mount position and range errors fixed.
+constexpr int kTurnsAlone = 3;
 constexpr double kFirstScaleRatio = 2;  ///< initial scale over robust scale
 constexpr double kNarrowing = 0.4;      ///< ratio of scales of consecutive rounds
 constexpr double kConverged = 1e-3;  ///< longest step at convergence, in prior standard deviations
-constexpr double kLargestStep = 1;   ///< in prior standard deviations
+constexpr double kLargestStep = 1;   ///< longest step of an iteration, in prior standard deviations
 constexpr std::size_t kFewestScans = 5;  ///< needed for a scatter of scores
 
 struct TermParameter {
@@ -53,7 +54,6 @@ NormalEquations EquationsOf(const std::vector<PointResidual>& residuals, double 
   return equations;
 }
 
-/// Diagonal information matrix of the priors.
 Eigen::MatrixXd PriorInformation(const std::vector<TermParameter>& parameters) {
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t p = 0; p < parameters.size(); ++p) {

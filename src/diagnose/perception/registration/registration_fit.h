@@ -20,7 +20,8 @@ struct ParameterPrecision {
 /// Terms fitted to points.
 struct RegistrationFit {
   Structure terms;
-  std::vector<std::vector<ParameterPrecision>> precision;  ///< by term and parameter
+  /// First index: term; second index: parameter.
+  std::vector<std::vector<ParameterPrecision>> precision;
 };
 
 /// Fits terms by Gauss-Newton, from the coarsest to the finest level. Every iteration re-associates

@@ -31,11 +31,12 @@ struct ParameterDetectability {
 /// Result of the search for effects on a sensor.
 struct RegistrationSearch {
   Structure found;                ///< confirmed terms
-  SensorCalibration calibration;  ///< with the confirmed terms
+  SensorCalibration calibration;  ///< calibration with the confirmed terms
   double scale = 1;               ///< actual noise over modelled noise
   double noise_rmse = 0;          ///< RMS residual after a fit of all candidates
-  /// Each finding has its evidence, and its error on FINAL without and with it. It has no location,
-  /// because it acts at all times. Findings point into the block's candidates.
+  /// Findings have evidence, and errors on FINAL without and with the finding. Findings have no
+  /// location, because a sensor's effects act at all times. Findings point into the block's
+  /// candidates.
   std::vector<Finding> findings, unconfirmed;
   std::vector<ParameterDetectability> detectability;
 };
@@ -44,13 +45,14 @@ struct RegistrationSearch {
 /// the finding minus the mean square noise. Returns 0 without excess.
 double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 
-/// Selects the candidates that act on the block's sensor. Fits start at the values of `start`, then
-/// at the scenario's.
+/// Selects the candidate mechanisms that act on the block's sensor. Fits start at the values of
+/// `start`, or else at the scenario's values.
 ///
 /// Model   The noise is estimated from the residual after a fit of all candidates to TRAIN.
-///         Selection is forward, starting from no candidate. Each step adds the candidate with the
-///         greatest gain in likelihood on SELECT, after a fit to TRAIN (registration_fit.h). If a
-///         set with fewer parameters is not significantly worse, it is preferred.
+///         Selection is forward, starting from no candidate. Nothing is selected unless all
+///         candidates together are better than none. Each step adds the candidate with the greatest
+///         gain in likelihood on SELECT, after a fit to TRAIN (registration_fit.h). If a set with
+///         fewer parameters is not significantly worse, it is preferred.
 ///         A step is accepted if the gain is steady over blocks of time (steady_gain.h) and the
 ///         error falls by at least 2 %. The level is SearchOptions::alpha, Bonferroni-corrected
 ///         over the candidates. Terms that the other terms make superfluous are then removed. A

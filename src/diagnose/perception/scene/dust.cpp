@@ -19,17 +19,18 @@ constexpr double kLeastBeforeSurface_m = 0.5, kLeastOverGround_m = 0.3;
 constexpr double kVoxel_m = 0.5;
 constexpr double kStep_m = 0.5 * kVoxel_m;      ///< step along a ray through voxels
 constexpr int kCloudReach = 2;                  ///< distance in voxels at which voxels are linked
-constexpr std::size_t kFewestReturns = 40;      ///< per cloud
+constexpr std::size_t kFewestReturns = 40;      ///< minimum per cloud
 constexpr std::size_t kFewestOfCubicMetre = 6;  ///< needed to compute a scatter
-constexpr std::size_t kMostParts = 8;           ///< into which the recording is divided
+constexpr std::size_t kMostParts = 8;           ///< largest number of parts of a recording
 constexpr double kMostStopped = 0.6;  ///< share of rays: a cloud that stops more is a solid object
 constexpr double kLeastThickness_m = 0.1;  ///< thinner is a surface
 /// Tests if more than one ray in 200 ends in a cloud. The prior is eight blocks that agree within a
 /// tenth.
 constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
 constexpr double kChosenP = 0.05, kConfirmedCloudP = 0.01;  ///< levels over all clouds
-constexpr double kLeastPresent =
-    0.25;  ///< share of stopped rays, over the 0.9 quantile of the blocks: less is clear air
+/// A block shows clear air if its share of stopped rays, over the 0.9 quantile of all blocks, is
+/// smaller.
+constexpr double kLeastPresent = 0.25;
 
 using Voxel = std::array<int, 3>;
 
@@ -149,8 +150,8 @@ std::vector<double> SharesIn(const Shares& shares, const Window& window) {
   return within;
 }
 
-/// The window with the smallest p among the whole recording, its halves, quarters and eighths. Its
-/// p is corrected for this choice (Bonferroni).
+/// The window with the smallest p among the whole recording, its halves, quarters and eighths. The
+/// returned p is corrected for this choice (Bonferroni).
 Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   Window best{0, blocks, 1};
   double windows = 0;

@@ -13,22 +13,22 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSigma_m =
-    0.01;  ///< of a cell's height: a limit that no number of scans lowers
-constexpr double kLeastDifference_m = 0.05;  ///< of a cell in a region
+/// Least standard deviation of a cell's height. No number of scans makes it smaller.
+constexpr double kLeastSigma_m = 0.01;
+constexpr double kLeastDifference_m = 0.05;  ///< least height difference of a cell in a region
 constexpr double kFalseShare = 0.01;         ///< false discovery rate among cells
-constexpr double kConfirmedRegionP = 0.01;   ///< over all regions
+constexpr double kConfirmedRegionP = 0.01;   ///< level of confirmation, over all regions
 constexpr double kLeastAgain = 0.5;  ///< share of a region's height, on FINAL and in its intervals
-constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< per judged cell
-constexpr std::size_t kFewestCells = 4;                            ///< per region
+constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< minimum per judged cell
+constexpr std::size_t kFewestCells = 4;                            ///< minimum per region
 constexpr int kReach = 2;              ///< distance in cells at which cells are linked
 constexpr double kWall_m = 0.3;        ///< height range within a cell that indicates a wall
 constexpr double kWallShare = 0.35;    ///< share of cells with walls that indicates an object
 constexpr double kSteepestCone = 1.7;  ///< slope of the steepest cone of soil: 60 deg
 constexpr double kWindows = 3;         ///< the recording and its halves
 
-/// The prior is eight blocks that agree within 2 cm. It matters where few blocks see a cell,
-/// because their own scatter is then uncertain.
+/// The prior is eight blocks that agree within 2 cm. The prior matters where few blocks see a cell,
+/// because the scatter of few blocks is uncertain.
 constexpr ModeratedTTest kHeightTest{
     .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
 

@@ -31,7 +31,7 @@ struct GroundMap {
   std::map<std::pair<int, int>, GroundCell> cells;
   std::vector<GroundRegion> regions;
   std::vector<GroundRegion> unconfirmed;
-  /// Points that a confirmed or unconfirmed region explains.
+  /// Points that a confirmed region explains.
   PointFlags explained;
 };
 

@@ -9,7 +9,9 @@
 namespace tera {
 namespace {
 
-constexpr double kSameRange_m = 0.3;  ///< between a measured point and an object hit by a test ray
+/// An object hit by a test ray counts if its range differs from the measured range by less than
+/// this.
+constexpr double kSameRange_m = 0.3;
 constexpr double kTurns_rad[] = {0.4 * kDeg, 1.2 * kDeg};
 constexpr int kDirections = 8;
 

@@ -15,7 +15,6 @@ namespace tera {
 std::vector<bool> OnOcclusionEdges(const RangeSource& source, const SensorCalibration& calibration,
                                    std::size_t scan, const std::vector<std::size_t>& points);
 
-/// Index of a cell of the site.
 using CellIndex = std::pair<int, int>;
 
 /// The cell with side `cell_m` that contains a position. The lower corner of cell (i, j) is at
@@ -30,9 +29,9 @@ struct HeightDifference {
   CellIndex simulated;  ///< cell of the simulated hit of its ray
 };
 
-/// Appends the height differences of one scan. It leaves out points on simulated objects and at
-/// their edges. It also leaves out points at cliffs of the simulated ground, where a small pose
-/// error causes a large height difference.
+/// Appends the height differences of one scan, without points on simulated objects and at their
+/// edges. Points at cliffs of the simulated ground are left out too, because a small pose error
+/// causes a large height difference there.
 ///
 /// Frames  W.
 ///

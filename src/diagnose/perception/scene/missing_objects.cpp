@@ -10,7 +10,7 @@ namespace {
 
 /// Least distances of a point behind or in front of a surface, along the ray and along the normal.
 constexpr double kLeastAlongRay_m = 0.3, kLeastAlongNormal_m = 0.15;
-constexpr double kAlpha = 0.01;  ///< of both tests, over all objects
+constexpr double kAlpha = 0.01;  ///< level of both tests, over all objects
 constexpr std::size_t kFewestRays = 20;
 constexpr ModeratedTTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
@@ -20,14 +20,14 @@ struct RayCount {
 };
 
 struct Tally {
-  std::map<std::size_t, RayCount> seen, held_out;            ///< by block
+  std::map<std::size_t, RayCount> seen, held_out;            ///< counts of rays, by block of time
   std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point
   Vec2 where_W_m = Vec2::Zero();
   double square_m2 = 0, final_rays = 0;
   std::size_t rays = 0;
 };
 
-/// p-value that more than half of the rays pass through.
+/// p-value of the test that more than half of the rays pass through the object.
 double ShareP(const std::map<std::size_t, RayCount>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);
@@ -87,8 +87,8 @@ MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& sp
     one.p_chosen = ShareP(tally.seen);
     one.p_confirmed = ShareP(tally.held_out);
     if (one.p_chosen > kAlpha / objects || one.p_confirmed > kAlpha / objects) continue;
-    one.centre_W_m = one.low_W_m = one.high_W_m =
-        tally.where_W_m / through;  // mean of the simulated hits
+    // Mean of the simulated hits.
+    one.centre_W_m = one.low_W_m = one.high_W_m = tally.where_W_m / through;
     one.rmse_before_m = std::sqrt(tally.square_m2 / tally.final_rays);
     for (const auto& [scan, point] : tally.through) missing.explained[scan][point] = true;
     missing.objects.push_back(one);

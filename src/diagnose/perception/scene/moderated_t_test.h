@@ -19,9 +19,9 @@ struct ModeratedTTest {
   };
 
   double limit = 0;
-  std::size_t fewest_blocks = 2;  ///< with fewer, p is 1
+  std::size_t fewest_blocks = 2;  ///< p is 1 with fewer blocks
   double prior_blocks = 0, prior_scatter = 0;
-  double least_sigma = 0;  ///< of the mean
+  double least_sigma = 0;  ///< least standard deviation of the mean
 
   /// Needs at least one value.
   Mean MeanOf(const std::vector<double>& values) const;

@@ -155,7 +155,7 @@ constexpr double kLeastComparable = 0.05;  ///< share of these points
 constexpr double kMostExplained = 0.5;
 constexpr int kRoundsInTurn = 2;  ///< alternations of sensor and scene
 
-/// Why the scans cannot be compared; empty if they can.
+/// Reason why the scans cannot be compared; empty if they can.
 std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
   if (split.blocks < kFewestBlocks) {
     return fmt::format("its {} scans are spread over {} blocks of a second; need {}",

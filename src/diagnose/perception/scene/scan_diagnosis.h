@@ -20,11 +20,11 @@ const Mechanism& SceneMechanism(std::string_view id);
 /// Diagnoses the differences between a lidar's scans, or a depth camera's images, and their
 /// simulation. Causes are effects on the sensor and differences of the scene.
 ///
-/// Model   The scene is compared first. If it explains less than half of the points and the
-///         remaining points show no sensor error, this result is final. A scene that differs in a
-///         few places is thus preferred to a sensor that differs everywhere. Otherwise the sensor
-///         is searched first (registration_search.h). Scene and sensor then alternate for two
-///         rounds.
+/// Model   The scene is compared first. If scene differences explain less than half of the points,
+///         and the other points show no sensor error, only the scene is reported. A scene that
+///         differs in a few places is thus preferred to a sensor that differs everywhere. Otherwise
+///         the sensor is searched first (registration_search.h). Scene and sensor then alternate
+///         for two rounds.
 ///         A sensor is not judged with fewer than ten blocks of time, or if fewer than 5 % of its
 ///         points are comparable.
 PerceptionDiagnosis DiagnoseScans(const RangeSource& source, std::uint64_t seed);

@@ -13,10 +13,9 @@ namespace {
 
 using Json = OrderedJson;
 
-/// Raised when a key changes its name or meaning. Files without it are of format 1.
+/// Raised when a key changes its name or meaning. Files without this key have format 1.
 constexpr int kFormat = 2;
 
-/// One entry for each element of a list.
 template <typename List, typename ToJson>
 Json ListOf(const List& list, ToJson to_json) {
   Json json = Json::array();
@@ -26,14 +25,14 @@ Json ListOf(const List& list, ToJson to_json) {
 
 Json Chosen(const Finding* finding) { return ChosenJson(*finding); }
 
-/// A mechanism that was found and whose numbers are as expected.
+/// A finding within tolerance.
 Json AsExpected(const Finding* finding) {
   Json json = ChosenJson(*finding);
   json["parameters"] = ParametersJson(*finding);
   return json;
 }
 
-/// Held-out errors of every judged channel, with nothing and with all that was found.
+/// Held-out errors of every judged channel, without findings and with all findings.
 Json HeldOutOfAll(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -57,7 +56,7 @@ Json MissingInputJson(const MissingInput& one) {
           {"one_sided", one.is_one_sided}};
 }
 
-/// Channels of blocks for which there was no time.
+/// Channels of blocks for which the time was over.
 Json OutOfTime(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -87,8 +86,8 @@ Json FurtherRecording(const HeldOutRecording& further) {
           {"not_compared", further.missing}};
 }
 
-/// `rmse` is the error of the scenario as it stands, without any fit, even of nuisances, which the
-/// errors before and after have.
+/// `rmse` is the error of the unchanged scenario without any fit. The errors before and after
+/// include a fit of the nuisances.
 Json ChannelJson(const ChannelLine& line) {
   return {{"channel", line.channel},           {"unit", line.unit},
           {"rms", JsonNumber(line.rms)},       {"rmse", JsonNumber(line.rmse)},
@@ -128,7 +127,7 @@ Json CorrectionJson(const DiscrepancyCorrection& one) {
           {"applied", one.is_applied()}};
 }
 
-/// Channels of blocks with too few manoeuvres, or for which there was no time.
+/// Channels of blocks with too few manoeuvres, or for which the time was over.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -157,7 +156,7 @@ Json Untestable(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Mechanisms of sensors whose effects cancel, so that none of them is named.
+/// Sensor mechanisms whose effects cancel, so that none of them is named.
 Json NotToldApart(const std::vector<TargetMechanism>& set) {
   return ListOf(set, [](const TargetMechanism& one) { return one.Name(); });
 }

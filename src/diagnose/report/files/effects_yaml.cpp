@@ -31,7 +31,7 @@ bool IsPlain(char c) {
          c == '/' || c == '-';
 }
 
-/// A name as a key: in quotes where it could be read as something else.
+/// A name as a key, in quotes if YAML could read the name as another type.
 std::string Key(const std::string& name) {
   const bool begins_with_letter =
       !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
@@ -41,7 +41,7 @@ std::string Key(const std::string& name) {
   return quoted + "'";
 }
 
-/// A number as text, within its range after rounding as well as before.
+/// A number as text. Rounding does not move it out of its range.
 std::string Value(double value, const EffectParameter& parameter) {
   TERA_CHECK(std::isfinite(value), parameter.name);
   if (parameter.whole) return fmt::format("{:.0f}", value);
@@ -50,15 +50,14 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// The free parameter of an index, or nullptr.
 const FreeParameter* FreeParameterOf(const Candidate& candidate, std::size_t index) {
   const auto at = std::find_if(candidate.free.begin(), candidate.free.end(),
                                [&](const FreeParameter& free) { return free.index == index; });
   return at != candidate.free.end() ? &*at : nullptr;
 }
 
-/// "dead_band: {width: 0.18}", with its rivals in a comment. A parameter that a prior kept near the
-/// simulation's number is omitted.
+/// "dead_band: {width: 0.18}", with its rivals in a comment. A parameter is left out if a prior
+/// kept it near the scenario's value.
 std::string MechanismLine(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
@@ -78,7 +77,7 @@ std::string MechanismLine(const Finding& finding) {
   return fmt::format("{}: {{{}}}{}", candidate.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
-/// The findings that a simulation can have, in the order of their ranks.
+/// Findings that a simulation can have, in the order of their ranks.
 std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   std::vector<const Finding*> effects;
   for (const Cause& cause : RankedCauses(diagnosis)) {
@@ -88,7 +87,7 @@ std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   return effects;
 }
 
-/// The lines of a target among those of all; new and last where it has none.
+/// Lines of a target. A target without lines is appended.
 TargetLines* LinesOf(const std::string& target, std::vector<TargetLines>* targets) {
   auto at = std::find_if(targets->begin(), targets->end(),
                          [&](const TargetLines& lines) { return lines.target == target; });

@@ -10,7 +10,7 @@ namespace {
 
 using Json = OrderedJson;
 
-/// Stands for the p of an error that no flexible regressor follows.
+/// p of an error that the flexible regressor does not explain.
 constexpr double kPOfUnfollowed = 0.5;
 
 Json Intervals(const Location& location, const ReplayBlock& block) {
@@ -38,7 +38,7 @@ Json ListOf(const Numbers& numbers) {
   return list;
 }
 
-/// The error as a function of a regime's variable, with its 90 % band, where it was visited.
+/// Error as a function of a regime's variable, with its 90 % band. Only visited values appear.
 Json CurveOf(const RegimeCurve& curve) {
   const auto visited = [&](const Eigen::VectorXd& values) {
     Json list = Json::array();
@@ -66,14 +66,15 @@ Json RegimeOf(const Location& location) {
           {"curve", CurveOf(regime.curve)}};
 }
 
-/// The location, which named and unexplained findings both have.
+/// Location of a finding or an unexplained error.
 Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
   return {{"channel", diagnosed.block.channels[location.channel].name},
           {"intervals_s", Intervals(location, diagnosed.block)},
           {"regime", RegimeOf(location)}};
 }
 
-/// The location of a lidar's or camera's finding, with its place on the site if it has one.
+/// Location of a finding of a lidar or camera, with its place on the site for a difference of the
+/// scene.
 Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
   Json intervals = Json::array(), place = nullptr;
   for (const auto& [from_s, to_s] : found.intervals_s) {
@@ -96,13 +97,12 @@ Json Where(const Cause& cause) {
   return {{"channel", cause.sensor->channel}, {"intervals_s", Json::array()}, {"regime", nullptr}};
 }
 
-/// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
+/// Score that ranks findings by certainty. The score is not calibrated and is no probability.
 double ScoreOf(const Finding& finding) {
   const auto alike = static_cast<double>(finding.evidence.rivals.size());
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
 }
 
-/// The mechanisms of a class.
 Json ClassJson(const Finding& finding) {
   Json ids = Json::array();
   for (const Candidate* rival : finding.evidence.rivals) ids.push_back(rival->mechanism->id);

@@ -8,23 +8,21 @@
 
 namespace tera {
 
-/// JSON that keeps the order of its keys.
 using OrderedJson = nlohmann::ordered_json;
 
-/// Six significant digits; null for a non-finite or missing value.
+/// Six significant digits; null for missing values or values that are not finite.
 OrderedJson JsonNumber(double value);
 OrderedJson JsonNumber(const std::optional<double>& value);
 
-/// Errors before and after, with the removed share of the variance beyond noise.
+/// Errors before and after, and the removed share of the excess variance.
 OrderedJson HeldOutJson(double before, double after, const std::string& unit, double removed);
 
-/// Parameters of a finding, by name.
 OrderedJson ParametersJson(const Finding& finding);
 
-/// A finding: location, mechanism and parameters, rivals, evidence and held-out errors.
+/// A finding: location, mechanism, parameters, rivals, evidence and held-out errors.
 OrderedJson FindingJson(const Cause& cause);
 
-/// An error that no mechanism explains, in the form of a finding.
+/// An unexplained error, in the form of a finding.
 OrderedJson UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);
 
 /// A mechanism that was selected but is no finding.

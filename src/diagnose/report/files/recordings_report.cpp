@@ -45,7 +45,7 @@ const KindWords& WordsFor(Kind kind) {
                        [&](const KindWords& words) { return words.kind == kind; });
 }
 
-/// "recording 2", "recordings 1 and 3": those of a kind, counted from 1; empty where there is none.
+/// Recordings of a kind, counted from 1: "recording 2", "recordings 1 and 3". Empty without any.
 std::string RecordingsOf(const SharedCause& cause, Kind kind) {
   std::vector<std::string> numbers;
   for (std::size_t r = 0; r < cause.recordings.size(); ++r) {
@@ -59,8 +59,8 @@ std::string NumberText(const UncertainNumber& number, const ReadableUnit& unit) 
   return WithUnit(WithSigma(number.value * unit.factor, number.sigma * unit.factor), unit);
 }
 
-/// ", width 0.121 ± 0.003": a cause's pooled numbers. A number that differs between recordings is
-/// followed by its spread and p.
+/// Pooled parameters of a cause: ", width 0.121 ± 0.003". If a parameter differs between
+/// recordings, its spread and p follow.
 std::string PooledText(const SharedCause& cause) {
   std::string text;
   for (const SharedNumber& number : cause.numbers) {
@@ -114,7 +114,7 @@ Json CauseJson(const SharedCause& cause) {
           {"sentence", SentenceOf(cause)}};
 }
 
-/// The text of recordings.json: the recordings, and each cause with every recording's result and
+/// Text of recordings.json: the recordings, and each cause with its result in every recording and
 /// its pooled parameters.
 std::string RecordingsJson(const std::vector<std::string>& recordings,
                            const std::vector<SharedCause>& causes) {
@@ -127,8 +127,7 @@ std::string RecordingsJson(const std::vector<std::string>& recordings,
   return all.dump(2) + "\n";
 }
 
-/// A cause as a finding whose numbers are those over all recordings; none where no recording has
-/// its numbers.
+/// A cause as a finding with pooled parameters. Returns nothing if no recording estimates them.
 std::optional<Finding> PooledFinding(const SharedCause& cause) {
   for (const CauseInRecording& one : cause.recordings) {
     if (one.kind != CauseInRecording::Kind::kNamed) continue;

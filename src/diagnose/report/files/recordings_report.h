@@ -8,7 +8,7 @@
 #include "diagnose/diagnose_recording.h"
 #include "diagnose/recordings/shared_causes.h"
 
-// Joint result of several recordings of one machine, in words.
+// Result of several recordings of one machine, as a page and files.
 
 namespace tera {
 
@@ -19,7 +19,7 @@ std::string SentenceOf(const SharedCause& cause);
 /// "3 recordings: 2 causes that they share and 1 cause that differs from one to another."
 std::string AnswerText(const std::vector<SharedCause>& causes, std::size_t recordings);
 
-/// One recording on the page of several: its name and the page of its own report.
+/// A recording's name and the page of its own report.
 struct RecordingOnPage {
   std::string name, page;
   const Diagnosis* diagnosis = nullptr;
@@ -31,13 +31,13 @@ std::string RecordingsPage(const std::string& machine,
                            const std::vector<RecordingOnPage>& recordings,
                            const std::vector<SharedCause>& causes);
 
-/// The name of the page of several recordings.
+/// File name of the page on several recordings.
 inline constexpr const char* kRecordingsPage = "recordings.html";
 
-/// Writes the reports of several recordings into recording_1, recording_2, ... Their joint result
-/// goes to recordings.html, recordings.json and effects.yaml, the overlay of the shared causes with
-/// pooled parameters. Several machines have a folder each. The folder appears when it is complete.
-/// Returns the page of each machine. Throws InputError.
+/// Writes the reports of several recordings into recording_1, recording_2, ... The common result is
+/// in recordings.html, recordings.json and effects.yaml. effects.yaml is the overlay of the shared
+/// causes with pooled parameters. With several machines, each machine has its own folder. The
+/// folder appears when it is complete. Returns the page of each machine. Throws InputError.
 std::vector<std::filesystem::path> WriteRecordingsReport(
     const std::filesystem::path& out, const std::vector<DiagnosedRecording>& recordings,
     WholeFolder* whole);

@@ -22,21 +22,21 @@
 namespace tera {
 namespace {
 
-/// "_radps" of "excavator1/encoders/boom_radps"; nothing where the name has no unit.
+/// Unit of a channel's name: "_radps" of "excavator1/encoders/boom_radps". Empty without a unit.
 std::string UnitOf(const std::string& channel) {
   const std::size_t at = channel.rfind('_');
   return at == std::string::npos || channel.find('/', at) != std::string::npos ? ""
                                                                                : channel.substr(at);
 }
 
-/// "series_excavator1_encoders_boom_radps.csv" of the channel of that name.
+/// File of a channel's series: "series_excavator1_encoders_boom_radps.csv".
 std::string SeriesFileName(const std::string& channel) {
   std::string name = "series_" + channel + ".csv";
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
 
-/// Whether the block was replayed, so that it has series.
+/// True if the block was replayed and therefore has series.
 bool HasSeries(const DiagnosedBlock& diagnosed) {
   const std::size_t channels = diagnosed.block.channels.size();
   const SearchResult& search = diagnosed.diagnosis.search;
@@ -44,8 +44,8 @@ bool HasSeries(const DiagnosedBlock& diagnosed) {
          search.found.misfit.residual.size() == channels;
 }
 
-/// A channel of a block as judged: t_ns, the measurement, the simulation before and after, and both
-/// residuals, in the channel's unit. One row for each grid sample with all values known.
+/// Series of a judged channel in its unit: t_ns, the measurement, the prediction before and after,
+/// and both residuals. One row per grid sample at which all values are known.
 std::string SeriesCsv(const DiagnosedBlock& diagnosed, std::size_t channel) {
   const ReplayBlock& block = diagnosed.block;
   const Series& measured = block.channels[channel].measured;
@@ -64,7 +64,7 @@ std::string SeriesCsv(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return csv;
 }
 
-/// Measured minus simulated ground in metres.
+/// Measured minus simulated ground height in metres.
 SiteMap AsSiteMap(const GroundMap& ground) {
   auto [low_i, low_j] = ground.cells.begin()->first;
   int high_i = low_i, high_j = low_j;

@@ -17,14 +17,14 @@ namespace tera {
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording);
 
-/// Throws InputError where the folder exists, so that reports of two runs never mix.
+/// Throws InputError if the folder exists, so that reports of two runs never mix.
 void RequireNewFolder(const std::filesystem::path& out);
 
-/// Reports of all machines of a recording, in a folder for each of several. The folder appears when
-/// it is complete.
+/// Reports of all machines of a recording. With several machines, each has its own folder. The
+/// folder appears when it is complete.
 class ReportFolder {
  public:
-  /// Throws InputError where it cannot be written.
+  /// Throws InputError if the folder cannot be written.
   explicit ReportFolder(const std::filesystem::path& out) : out_(out), whole_(out) {}
 
   /// Returns the page of each machine.

@@ -40,7 +40,7 @@ Stage StageOf(Slot slot) {
   return kSensor;
 }
 
-/// Where the error of a block was measured.
+/// Stage at which the error of a block was measured.
 Stage StageOf(const ReplayBlock& block) {
   const auto has = [&](Stage stage) {
     return std::any_of(block.candidates.begin(), block.candidates.end(),
@@ -57,7 +57,7 @@ void AddOnce(Item item, std::vector<Item>* items) {
   }
 }
 
-/// "imu" of "excavator1/imu/wx_radps".
+/// Sensor name of a channel: "imu" of "excavator1/imu/wx_radps".
 std::string SensorOfChannel(const std::string& channel) {
   const auto first = channel.find('/'), last = channel.rfind('/');
   return Spaced(last > first ? channel.substr(first + 1, last - first - 1) : channel);
@@ -93,7 +93,7 @@ std::string TextOf(const Candidate& candidate) {
                      WordsOf(candidate.mechanism->id, candidate.target)->label);
 }
 
-/// A cause, and in other stages its rival hypotheses.
+/// Adds a cause, and its rivals as possible causes in other stages.
 void AddCause(const Cause& cause, Chain* chain) {
   const Stage stage = StageOf(cause.mechanism().slot);
   std::string text = TextOf(*cause.finding->term.candidate);
@@ -127,9 +127,9 @@ void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
   }
 }
 
-constexpr std::size_t kMostEntries = 4;  ///< that a box shows
+constexpr std::size_t kMostEntries = 4;  ///< maximum per box
 
-/// A sign that has the meaning of a box's frame without colour.
+/// A sign with the same meaning as a box's frame, readable without colour.
 std::string Sign(std::string_view css_class, std::string_view sign) {
   return fmt::format("<b class='sign {}'>{}</b>", css_class, sign);
 }

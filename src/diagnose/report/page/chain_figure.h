@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A stage of the chain from a lever to a measurement, with its findings.
+/// A stage of the chain from lever to measurement, with its findings.
 struct ChainStage {
   /// "boom: dead band".
   struct Entry {
@@ -24,15 +24,16 @@ struct ChainStage {
   std::vector<Entry> entries;
 };
 
-/// The stages lever, valve, pump, joint, ground and sensor, each with its findings.
+/// The stages lever, valve, pump, joint, ground and sensor, with their findings.
 ///
-/// Model   a cause stands at its mechanism's slot, and an indistinguishable rival is possible at
-///         its own. An unexplained error stands where it was measured, since its origin is unknown.
-///         A stage was compared if a judged block has candidates in it, or sensors were compared
-///         with each other.
+/// Model   A slot is a place of mechanisms in the chain (core/types/effects.h). A cause belongs to
+///         the stage of its mechanism's slot. A rival is a possible cause at the stage of its own
+///         slot. An unexplained error belongs to the stage where it was measured, because its
+///         origin is unknown. A stage counts as compared if a judged block has candidates there, or
+///         if sensors there were compared with each other.
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis);
 
-/// The chain as a row of boxes with their key; on a narrow screen in several rows.
+/// The chain as a row of boxes with a legend. Narrow screens show several rows.
 std::string ChainFigure(const Diagnosis& diagnosis);
 
 }  // namespace tera

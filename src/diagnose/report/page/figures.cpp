@@ -13,10 +13,10 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPoints = 1500;  ///< of a line
-constexpr double kLongestWindow_s = 10;    ///< of measured and predicted values
-constexpr int kShades = 6;                 ///< of a map, on each side of no difference
-constexpr double kLongestSide = 400;       ///< of a map, in the figure's own units
+constexpr std::size_t kMostPoints = 1500;  ///< maximum per line
+constexpr double kLongestWindow_s = 10;    ///< longest window of measured and predicted values
+constexpr int kShades = 6;                 ///< colours of a map, per sign of the difference
+constexpr double kLongestSide = 400;       ///< longer side of a map, in SVG units
 
 std::string Figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
@@ -42,7 +42,7 @@ Series Predicted(const Series& measured, const Series& residual) {
   return predicted;
 }
 
-/// The envelope (EnvelopeOf) of a series at the times of the recording.
+/// Envelope of a series (EnvelopeOf) over the recording's time.
 std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
                               const Segment& samples, double factor) {
   std::vector<PlotPoint> line = EnvelopeOf(series, samples, factor, kMostPoints);
@@ -50,7 +50,7 @@ std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
   return line;
 }
 
-/// The window of `length` samples within a segment that has the largest sum of squares.
+/// The window of `length` samples within a segment with the largest sum of squares.
 Segment Worst(const Series& residual, const Segment& within, std::size_t length) {
   if (within.size() <= length) return within;
   const auto square = [&](std::size_t k) {
@@ -69,7 +69,7 @@ Segment Worst(const Series& residual, const Segment& within, std::size_t length)
   return worst;
 }
 
-/// The window of the prediction's figure: the worst interval with a little before and after.
+/// Window of PredictionFigure: the worst interval with a margin before and after.
 Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
   const std::size_t samples = diagnosed.block.samples();
   const Segment worst =
@@ -82,7 +82,7 @@ Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
                std::max<std::size_t>(most, 2));
 }
 
-/// The axis over the points, of which a share `outliers` may lie outside on each side.
+/// Axis over all points. On each side, at most the share `outliers` of the points lies outside.
 PlotAxis RangeOf(const std::vector<std::vector<PlotPoint>>& lines, double outliers,
                  std::string label) {
   std::vector<double> all;
@@ -238,7 +238,7 @@ std::string GroundFigure(const GroundMap& map) {
   const auto shade = [&](const GroundCell& cell) {
     return std::lround(kShades * std::clamp(cell.above_m / greatest_m, -1.0, 1.0));
   };
-  for (auto run = map.cells.begin(); run != map.cells.end();) {  // neighbours of one shade
+  for (auto run = map.cells.begin(); run != map.cells.end();) {  // neighbours with the same colour
     const auto [i, j] = run->first;
     const long of_run = shade(run->second);
     auto next = std::next(run);

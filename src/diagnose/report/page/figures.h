@@ -4,19 +4,19 @@
 
 #include "diagnose/diagnosis.h"
 
-// The figures of a report, each as HTML: <figure> with inline SVG and a caption.
+// Figures of a report as HTML: <figure> with inline SVG and a caption.
 
 namespace tera {
 
-/// Measured and predicted values, without terms and with all findings, over the worst interval of a
-/// location, or its 10 s with the largest error. Predictions are measurements minus residuals, and
-/// so include the fitted nuisances (likelihood.h).
+/// Measured and predicted values, without findings and with all findings. The window is the worst
+/// interval of a location, or its worst 10 s. Predictions are measurements minus residuals, so they
+/// include the fitted nuisances (likelihood.h).
 std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);
 
-/// The residual without terms and with all findings, over the whole recording.
+/// Residual without findings and with all findings, over the whole recording.
 std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& location);
 
-/// An error as a function of a variable, with its band. `error` names the error, as the start of a
+/// An error as a function of a variable, with its band. `error` names the error and starts a
 /// sentence.
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error);
@@ -24,7 +24,7 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
 /// The levers that move, over time.
 std::string LeversFigure(const NextManoeuvre& next);
 
-/// A map of the measured ground over the simulated one; empty where they are the same.
+/// Map of measured minus simulated ground. Empty without a difference.
 std::string GroundFigure(const GroundMap& map);
 
 }  // namespace tera

@@ -23,14 +23,13 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostCauses = 12;  ///< with a section of their own
+constexpr std::size_t kMostCauses = 12;  ///< number of causes with their own section
 
 std::string Paragraph(std::string_view css_class, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class='{}'>{}</p>\n", css_class, Escaped(text));
 }
 
-/// A section of the first screen: a heading, its meaning, a picture, and sentences with the
-/// evidence.
+/// A section of the first screen: heading, meaning, picture, and sentences with the evidence.
 std::string Section(std::string_view css_class, const std::string& heading,
                     const std::string& meaning, const std::string& picture,
                     const std::vector<std::string>& sentences) {
@@ -74,7 +73,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                  PredictionFigure(*diagnosed, at), sentences);
 }
 
-/// Section on sensors that disagree for no known reason.
+/// Section on sensors that disagree for an unknown reason.
 std::string SectionOf(const std::vector<const ChannelError*>& left) {
   return Section("unexplained", "Sensors that do not agree", SentenceOfUnexplained(left), "", {});
 }
@@ -91,7 +90,7 @@ std::string NothingSection(const Diagnosis& diagnosis) {
   return html;
 }
 
-/// Prerequisites to mend first: missing input, clocks that differ.
+/// Problems to solve first: missing input, clocks that differ.
 std::string FirstThings(const Diagnosis& diagnosis) {
   std::string html;
   for (const MissingInput& missing : diagnosis.missing_input) {
@@ -123,7 +122,7 @@ std::string CauseSections(const Diagnosis& diagnosis) {
 
 constexpr std::size_t kMostRegimesShown = 2;
 
-/// The sentences that the page does not have yet.
+/// Sentences that `page` does not contain.
 std::string OtherSentences(const Diagnosis& diagnosis, const std::string& page) {
   std::string html;
   for (const std::string& sentence : SentencesOf(diagnosis)) {
@@ -133,13 +132,12 @@ std::string OtherSentences(const Diagnosis& diagnosis, const std::string& page) 
   return html.empty() ? "" : "<ol class='findings'>\n" + html + "</ol>\n";
 }
 
-/// A part of the page that is folded.
+/// A collapsible part of the page.
 std::string Folded(const std::string& title, const std::string& html) {
   if (html.empty()) return "";
   return fmt::format("<details class='part'><summary>{}</summary>\n{}</details>\n", title, html);
 }
 
-/// The figures of one location under a heading.
 std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
                             const std::string& error, const Location& location) {
   const std::string& channel = diagnosed.block.channels[location.channel].name;
@@ -166,7 +164,7 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
   return html;
 }
 
-/// A line for every compared channel, and the measurements that were not compared.
+/// Table of all compared channels, and list of measurements that were not compared.
 std::string ChannelsSection(const Diagnosis& diagnosis) {
   Table table({"Channel", ">Motion", ">Noise", ">Error before", ">after", "Unit", "Explained by",
                "What is left"});
@@ -194,7 +192,7 @@ std::string ChannelsSection(const Diagnosis& diagnosis) {
       html);
 }
 
-/// The smallest size of each mechanism that would have been seen.
+/// Table of the smallest detectable size of each mechanism.
 std::string SmallestSizes(const Diagnosis& diagnosis) {
   Table table({"On", "Mechanism", "Seen from about"});
   const auto add = [&](const Candidate& candidate, std::size_t parameter,

@@ -6,10 +6,10 @@
 
 namespace tera {
 
-/// The report as one page without network or scripts. Styles and figures are in it, for light and
-/// dark screens and for paper. `recording` stands under the title.
+/// The report as one page with embedded styles and figures, without network or scripts, for light
+/// screens, dark screens and paper. `recording` is the subtitle.
 ///
-/// Text and figures are in degrees; the tables of parameters and sizes are as in effects.yaml.
+/// Text and figures use degrees. Tables of parameters and sizes use the units of effects.yaml.
 std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording);
 
 }  // namespace tera

@@ -6,20 +6,20 @@
 
 #include "core/html.h"
 
-// Parts of the pages of reports.
+// Building blocks of report pages.
 
 namespace tera {
 
 /// A page without network or scripts, for light and dark screens and for paper.
 std::string Page(const std::string& title, const std::string& body);
 
-/// An HTML table. Columns whose heading starts with '>' hold numbers.
+/// An HTML table. Columns whose heading starts with '>' contain numbers.
 class Table {
  public:
   explicit Table(const std::vector<std::string>& headings);
-  /// Cells are HTML.
+  /// `cells` are HTML.
   void Row(const std::vector<std::string>& cells);
-  /// Empty without rows.
+  /// The table as HTML; empty without rows.
   std::string Take() const { return has_rows_ ? html_ + "</table></div>\n" : ""; }
 
  private:

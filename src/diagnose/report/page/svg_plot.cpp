@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeft = 64, kRight = 12, kTop = 10, kBottom = 46;
 constexpr double kLineBreak = std::numeric_limits<double>::quiet_NaN();
 
-/// The step between ticks: 1, 2 or 5 times a power of ten.
+/// Distance of ticks: 1, 2 or 5 times a power of ten.
 double TickStep(double span, int wanted) {
   const double rough = span / wanted;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -22,7 +22,7 @@ double TickStep(double span, int wanted) {
   return 10 * power;
 }
 
-/// A tick's label with as many decimals as distinguish it from the next.
+/// Label of a tick, with just enough decimals to distinguish it from the next.
 std::string TickText(double value, double step) {
   if (std::abs(value) >= 1e6 || step < 1e-5) return fmt::format("{:.3g}", value);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
@@ -43,7 +43,7 @@ PlotAxis Widened(double low, double high, std::string label) {
   if (!(low <= high) || !std::isfinite(low) || !std::isfinite(high)) low = high = 0;
   double margin = 0.05 * (high - low);
   if (margin <= 0) margin = low == 0 ? 1 : 0.05 * std::abs(low);
-  // Ticks are counted in doubles, which beyond 2^53 no longer increase by 1.
+  // Ticks are counted in doubles, which do not increase by 1 beyond 2^53.
   margin = std::max(margin, 1e-9 * std::max(std::abs(low), std::abs(high)));
   return {low - margin, high + margin, std::move(label)};
 }

@@ -7,7 +7,8 @@
 #include "core/html.h"
 #include "diagnose/statistics/series/series.h"
 
-/// Small figures as inline SVG. Colours and strokes are the page's: elements only carry classes.
+/// Small figures as inline SVG. Elements have CSS classes only; the page defines colours and
+/// strokes.
 
 namespace tera {
 
@@ -17,21 +18,21 @@ struct PlotPoint {
 
 struct PlotAxis {
   double low = 0, high = 1;
-  std::string label;  ///< with its unit
+  std::string label;  ///< includes the unit
 };
 
-/// A range that is not empty, a twentieth wider than [low, high] on both sides.
+/// Axis with a margin of a twentieth of [low, high] on both sides. The range is never empty.
 PlotAxis Widened(double low, double high, std::string label);
 
-/// Round values within an axis, 1, 2 or 5 times a power of ten apart, about `wanted` of them.
+/// About `wanted` round values within an axis, at distances of 1, 2 or 5 times a power of ten.
 std::vector<double> TicksOf(const PlotAxis& axis, int wanted);
 
-/// A figure with two axes. It clips everything outside them.
+/// A figure with two axes. Shapes outside the axes are clipped.
 class SvgPlot {
  public:
   /// `what` is the figure's label for screen readers.
   SvgPlot(const std::string& what, PlotAxis x, PlotAxis y, double width = 900, double height = 260);
-  /// Both axes have the same scale, of `scale` of the figure's units for one of theirs.
+  /// A figure with equal scales: `scale` SVG units per unit of both axes.
   static SvgPlot OfArea(const std::string& what, PlotAxis x, PlotAxis y, double scale);
 
   void Rectangle(const PlotPoint& low, const PlotPoint& high, std::string_view css_class,
@@ -45,8 +46,8 @@ class SvgPlot {
   void Band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high,
             std::string_view css_class);
   void Dots(const std::vector<PlotPoint>& points, std::string_view css_class);
-  /// Bars along the lower edge for the number of samples at each x; the longest has a tenth of the
-  /// height.
+  /// Bars along the lower edge for the number of samples at each x. The longest bar has a tenth of
+  /// the height.
   void Visits(const std::vector<PlotPoint>& counts, double width_x);
 
   std::string Take() const;
@@ -62,8 +63,9 @@ class SvgPlot {
   std::string inside_;
 };
 
-/// Samples as a line of at most `most` points: minimum and maximum of each bin of neighbours in
-/// their order, and gaps as non-finite points. x is in seconds; y is multiplied by `factor`.
+/// A line of at most `most` points through samples: the minimum and maximum of each bin of
+/// neighbours, in their order. Gaps are points that are not finite. x is in seconds; y is
+/// multiplied by `factor`.
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,
                                   std::size_t most);
 

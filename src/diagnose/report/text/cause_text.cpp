@@ -25,11 +25,11 @@ std::string Number(const ParameterEstimate& estimate) {
 
 std::string Percents(double share) { return Significant(100 * std::abs(share), kDigits) + " %"; }
 
-/// A place of a meaning, "offset_s:ahead:behind", taken apart.
+/// A placeholder of MechanismWords::meaning, such as "offset_s:ahead:behind", split into its parts.
 struct Place {
   std::string_view name, above, below;
-  char kind = ' ';        ///< the sign that separates the words, or # or ^
-  bool percents = false;  ///< "%" behind the name
+  char kind = ' ';        ///< sign that separates the words, or # or ^
+  bool percents = false;  ///< true: "%" follows the name
 };
 
 Place PlaceOf(std::string_view text) {
@@ -95,7 +95,7 @@ std::string LabelOf(const Candidate& candidate, const Candidate& found) {
   return candidate.target == found.target ? label : label + " of " + TargetText(candidate);
 }
 
-/// The kind of a sensor in front of its name, as far as the mechanism tells it.
+/// Kind of a sensor, to precede its name; "sensor" if the mechanism does not imply a kind.
 std::string SensorKindOf(const Mechanism& mechanism) {
   if (mechanism.targets == std::vector{EffectTarget::kImu}) return "inertial unit";
   if (mechanism.targets == std::vector{EffectTarget::kGnss}) return "receiver";
@@ -159,8 +159,7 @@ std::string HeadingOf(const Candidate& found, const std::vector<const Candidate*
 
 namespace {
 
-/// Probabilities of chance, on what the cause was chosen by and on what was kept back, up to which
-/// an answer goes by a word.
+/// p-values of selection and confirmation up to which a cause is called very sure, or sure.
 constexpr double kVerySure = 0.001, kSure = 0.01;
 
 std::string SurenessText(const Finding& finding) {

@@ -65,7 +65,7 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   return line;
 }
 
-/// Line of a sensor that is compared with the others, without a simulated motion.
+/// Line of a sensor that is compared with other sensors instead of with a replay.
 ChannelLine LineOf(const DiagnosedSensors& sensors, const ChannelError& error) {
   ChannelLine line{.channel = error.name, .unit = error.unit, .noise = error.noise};
   line.before = error.rms_before;

@@ -8,20 +8,21 @@
 
 namespace tera {
 
-/// Result for one compared channel: RMS values over all of its samples, in its unit.
+/// Result for one compared channel. RMS values are over all its samples, in its unit.
 struct ChannelLine {
   std::string channel, unit;
-  std::optional<double> rms;     ///< of the measurement; none for sensors compared with each other
-  std::optional<double> motion;  ///< of the measurement about its mean
-  std::optional<double> rmse;    ///< of the unchanged scenario, without any fit
-  std::optional<double> noise;   ///< none where not judged
-  double before = 0;             ///< error of the unchanged simulation
-  double after = 0;              ///< with all findings; nuisances fitted in both
-  std::vector<std::string> explained_by;  ///< mechanisms found, "dead_band"
+  /// RMS of the measurement; empty for sensors compared with each other.
+  std::optional<double> rms;
+  std::optional<double> motion;           ///< RMS of the measurement about its mean
+  std::optional<double> rmse;             ///< error of the unchanged scenario, without any fit
+  std::optional<double> noise;            ///< empty if not judged
+  double before = 0;                      ///< error without findings, after a fit of the nuisances
+  double after = 0;                       ///< error with all findings, after a fit of the nuisances
+  std::vector<std::string> explained_by;  ///< found mechanisms: "dead_band"
   std::string left;                       ///< kind of residual: "noise", "unexplained error"
 };
 
-/// One line for every compared channel, in the order of the blocks.
+/// One line per compared channel, in the order of the blocks.
 std::vector<ChannelLine> ChannelLines(const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Gain in log-likelihood by which a recording shows a discrepancy, or shows that there is none.
+/// Gain in log-likelihood at which a recording shows that a discrepancy exists, or that none does.
 constexpr double kLeastShownGain = 10;
 
 /// "boom rate 3.1 → 0.6 deg/s".
@@ -27,7 +27,7 @@ std::vector<std::string> Quantities(const std::vector<std::string>& channels) {
   return names;
 }
 
-constexpr double kLeastPath_m = 0.005;  ///< of a base that moves
+constexpr double kLeastPath_m = 0.005;  ///< path of a base that moves
 
 std::string LengthText(double length_m) {
   return length_m < kLeastPath_m ? "0" : Significant(length_m, 4);
@@ -120,10 +120,9 @@ std::vector<std::string> SpacedAll(const std::vector<std::string>& identifiers) 
   return names;
 }
 
-constexpr std::size_t kMostNamed = 3;  ///< mechanisms of a target that are named one by one
+constexpr std::size_t kMostNamed = 3;  ///< mechanisms per target; more are counted
 
-/// Mechanisms that could not be seen, by target: "backlash and sag of the boom", "12 mechanisms of
-/// the slew".
+/// Undetectable mechanisms by target: "backlash and sag of the boom", "12 mechanisms of the slew".
 std::vector<std::string> Shown(const std::vector<DiscriminatedSet>& sets) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_target;
   for (const DiscriminatedSet& set : sets) {

@@ -17,19 +17,19 @@ std::string SentenceOf(const HeldOutRecording& further);
 /// recorded, 50.5 → 57.1 m simulated. It does not follow in: slew rate."
 std::string SentenceOf(const WholeSimulation& whole);
 
-/// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Insignificant
-/// corrections are left out; empty without any other.
+/// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Only
+/// significant corrections appear. Empty without any.
 std::string SentenceOf(const std::vector<DiscrepancyCorrection>& corrections);
 
-/// The file of levers beside diagnosis.json.
+/// Name of the file of levers in the report's folder.
 inline constexpr const char* kNextManoeuvreFile = "next_manoeuvre.csv";
 
 /// "Next manoeuvre (next_manoeuvre.csv, 39 s; boom: steps of 0.15 and steps of 1): tells dead band
 /// and rate gain of the boom apart; would show backlash of the boom. Power 0.93 at least."
 std::string SentenceOf(const NextManoeuvre& next);
 
-/// The levers in the form of commands.csv: t_ns and a column for each lever, -1 to 1, with a row
-/// wherever one moves.
+/// The levers in the form of commands.csv: t_ns and one column per lever, -1 to 1. There is a row
+/// at each lever move.
 std::string CsvOf(const NextManoeuvre& next);
 
 }  // namespace tera

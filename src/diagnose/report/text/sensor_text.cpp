@@ -94,17 +94,18 @@ std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
 
 namespace {
 
-/// Metres in centimetres, pixels as they are.
+/// Centimetres for metres; pixels stay.
 ReadableUnit UnitOf(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? ReadableUnit{100, "cm"} : ReadableUnit{1, diagnosis.unit};
 }
 
-/// The simulated features that the sensor's data are compared with.
+/// Simulated features that the sensor's data are compared with.
 std::string_view SurfacesText(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? "surfaces" : "edges";
 }
 
-/// ", 12–34 s and 1 more interval", the longest first; empty where it is all the time.
+/// ", 12–34 s and 1 more interval": the longest interval is named. Empty if the difference is
+/// permanent.
 std::string TimesText(const PerceptionFinding& found) {
   if (found.intervals_s.empty()) return "";
   const auto longest = *std::max_element(
@@ -113,7 +114,6 @@ std::string TimesText(const PerceptionFinding& found) {
   return ", " + IntervalsText(longest.first, longest.second, found.intervals_s.size() - 1);
 }
 
-/// A measure of the scene.
 double ValueOf(const PerceptionFinding& found, std::string_view name) {
   return Effect{found.finding.term.candidate->mechanism, found.finding.term.values}[name];
 }
@@ -186,7 +186,7 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
   const HeldOutError& error = found.finding.held_out;
   std::string text = fmt::format("{}: {} ({}).", SensorText(diagnosis), WhatText(found),
                                  EvidenceClause(found.finding));
-  // Missing objects, and returns from the air, have no surface.
+  // Missing objects and dust have no surface.
   if (error.rmse_after <= 0) return text;
   return text + fmt::format(" Held-out distance to the simulated {} {}.", SurfacesText(diagnosis),
                             Change(error.rmse_before, error.rmse_after, UnitOf(diagnosis)));

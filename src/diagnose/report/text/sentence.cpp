@@ -15,22 +15,23 @@
 namespace tera {
 namespace {
 
-constexpr int kPresentDigits = 4;  ///< of a number that the simulation has already
-/// Free numbers of a mechanism up to which all are reported.
+constexpr int kPresentDigits = 4;  ///< significant digits of a value that the scenario already has
+/// A mechanism with at most this number of free parameters reports all of them.
 constexpr std::size_t kFewNumbers = 3;
-/// Standard deviations by which a number of many must differ from its default to be reported.
+/// With more parameters, a parameter is reported beyond this number of standard deviations from its
+/// default.
 constexpr double kClearDeviations = 3;
-constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
+constexpr std::size_t kMostRivalsNamed = 2;  ///< number of rejected rivals that are named
 
-/// Whether a number is written without its name. It then is the first and only one that a mechanism
-/// requires, so that the mechanism's name suffices.
+/// True if a parameter is written without its name, because it is the first and only parameter that
+/// the mechanism requires.
 bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
   const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
                                       [](const EffectParameter& p) { return !p.otherwise; });
   return index == 0 && required == 1 && !mechanism.parameters[0].otherwise;
 }
 
-/// " instead of 0.05", where the simulation has the mechanism already.
+/// " instead of 0.05", if the scenario already has the mechanism.
 std::string InsteadText(const Candidate& candidate, std::size_t index, const ReadableUnit& unit) {
   if (candidate.present.empty()) return "";
   return " instead of " +
@@ -125,13 +126,13 @@ bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel) {
 
 namespace {
 
-constexpr double kSignificant = 0.05;  ///< p of a regime up to which it is stated without its p
+constexpr double kSignificant = 0.05;  ///< a regime with a smaller p is stated without it
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
 }
 
-/// "41–63 s and 8 more intervals", the one with the most error first.
+/// "41–63 s and 8 more intervals"; the interval with the largest error is named.
 std::string WhenText(const DiagnosedBlock& diagnosed, const Location& location) {
   if (location.intervals.empty()) return "the whole recording";
   const Segment& worst = location.intervals[location.worst];
@@ -140,7 +141,7 @@ std::string WhenText(const DiagnosedBlock& diagnosed, const Location& location) 
   return IntervalsText(from_s, to_s, location.intervals.size() - 1);
 }
 
-/// The form of a curve in words, as far as its range does not say it.
+/// Form of a curve in words. Words that its range already implies are left out.
 std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
   std::vector<std::string> words;
   switch (shape.form) {
@@ -177,13 +178,13 @@ std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
   return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
 }
 
-/// Whether a curve of this form differs from a constant only in a range of the variable.
+/// True if a curve of this form differs from a constant only in a range of the variable.
 bool HasRange(CurveForm form) {
   return form == CurveForm::kSaturating || form == CurveForm::kThreshold ||
          form == CurveForm::kLocal || form == CurveForm::kFree;
 }
 
-/// The first regime of a location, as the end of "the error ..".
+/// First regime of a location, as the end of a sentence "the error ..".
 std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& location) {
   if (location.regimes.empty()) return "depends on nothing that was recorded";
   const Regime& first = location.regimes.front();
@@ -211,7 +212,7 @@ std::string LeftText(double rmse, double noise, const std::string& si_unit) {
   return fmt::format("{} at a noise of {}", Readable(rmse, si_unit), Readable(noise, si_unit));
 }
 
-/// The residual of a fully explained channel, in words.
+/// Residual of a fully explained channel, in words.
 std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   if (IsLeft(diagnosed, channel)) return "";
   for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
@@ -238,9 +239,9 @@ std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
     return fmt::format("{}, {} of the excess variance removed.", fall,
                        PercentText(error.excess_removed));
   }
-  // The error is no louder than the noise, so that there is no excess.
+  // The error is not larger than the noise, so there is no excess.
   if (error.rmse_after < error.rmse_before) return fall + ".";
-  // The finding was confirmed by the number of manoeuvres that are likelier with it.
+  // Many manoeuvres are likelier with the finding, and this confirmed it.
   return fmt::format("{}, none of the excess variance removed{}.", fall,
                      error.p > kSignificant ? "" : ", for a few manoeuvres outweigh the rest");
 }

@@ -20,8 +20,9 @@
 namespace tera {
 namespace {
 
-/// Delays count as the same where they differ by less than this share of the longer one, or by less
-/// than so many standard deviations. Beyond kMostDifference of the longer one they never do.
+/// Two delays agree if they differ by less than kSameShare of the longer one, or by less than
+/// kSameDeviations standard deviations. Delays that differ by more than kMostDifference of the
+/// longer one never agree.
 constexpr double kSameShare = 0.2, kSameDeviations = 3, kMostDifference = 0.5;
 
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
@@ -71,7 +72,7 @@ std::string SentenceOfEncoderLead(const Diagnosis& diagnosis) {
 
 namespace {
 
-/// Each name once, with its count where there are several: "terrain height in 16 places".
+/// Each name once, with its count if repeated: "terrain height in 16 places".
 std::vector<std::string> Counted(const std::vector<std::string>& names) {
   std::vector<std::string> counted;
   for (auto name = names.begin(); name != names.end(); ++name) {
@@ -120,7 +121,7 @@ std::string SummaryOf(const Diagnosis& diagnosis) {
 
 namespace {
 
-/// The corrections of blocks that are judged: those of others change no answer.
+/// Corrections of judged blocks. Corrections of other blocks do not change the result.
 std::vector<DiscrepancyCorrection> CorrectionsOfJudged(const Diagnosis& diagnosis) {
   std::vector<DiscrepancyCorrection> judged;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {

@@ -7,28 +7,27 @@
 
 namespace tera {
 
-/// "All 4 joints ask for a delay of 0.08 s: ..", or empty. The sentence needs two joints or more
-/// judged by their encoders, all with the same delay, within a fifth or within its uncertainty. The
-/// encoders' clock may then be late instead.
+/// "All 4 joints ask for a delay of 0.08 s: ..", or empty. The sentence needs at least two joints
+/// whose encoders were judged. The delays must agree within a fifth or within their uncertainty.
+/// The cause may then be a late clock of the encoders.
 std::string SentenceOfSharedDelay(const Diagnosis& diagnosis);
 
 /// "Encoders run ahead of the levers that move them, by about 0.1 s: ..", or empty.
 std::string SentenceOfEncoderLead(const Diagnosis& diagnosis);
 
 /// "In short: boom: dead band 0.18 ± 0.02 (or valve curve); arm: backlash 0.7 ± 0.1 deg.
-/// Unexplained: slew rate." The summary has names and parameters alone (for lidars and cameras
-/// names), by target, in the order of the sentences that follow. Empty without findings and
+/// Unexplained: slew rate." The summary has only names and parameters, by target, in the order of
+/// the other sentences. For lidars and cameras it has only names. Empty without findings and
 /// unexplained errors.
 std::string SummaryOf(const Diagnosis& diagnosis);
 
-/// The sentence of a diagnosis without findings: the channels that agree, and the undetectable
-/// mechanisms.
+/// Sentence of a diagnosis without findings: channels that agree, and undetectable mechanisms.
 std::string SentenceOfNothing(const Diagnosis& diagnosis);
 
-/// The sentence of a cause: where, which, how sure, and how much better.
+/// Sentence of a cause: location, mechanism, certainty and improvement.
 std::string SentenceOf(const Cause& cause);
 
-/// All sentences of a diagnosis, by descending weight.
+/// All sentences of a diagnosis, by descending importance.
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// The decimal exponent of a value that is not 0: 2 for 523, -1 for 0.18.
+/// Decimal exponent of a value other than 0: 2 for 523, -1 for 0.18.
 int ExponentOf(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-/// A value rounded to a power of ten and written without an exponent. Halves go away from 0, as a
-/// reader would round a longer number, also where a double lies just below one.
+/// Rounds a value to a power of ten and writes it without an exponent. Halves round away from 0,
+/// even if the nearest double is slightly smaller than the half.
 std::string Fixed(double value, int lowest_power) {
-  constexpr double kBelowHalf = 1e-12;  // relative: thousands of times a double's resolution
+  constexpr double kBelowHalf = 1e-12;  // relative: thousands of times the resolution of a double
   value *= 1 + kBelowHalf;
   if (lowest_power <= 0) return fmt::format("{:.{}f}", value, -lowest_power);
   const double unit = std::pow(10.0, lowest_power);
@@ -32,7 +32,7 @@ void DropZerosAtTheEnd(std::string* number) {
   if (number->ends_with('.')) number->pop_back();
 }
 
-/// Quantities by the endings of names of columns and parameters, the longer endings first.
+/// Quantities by the endings of column and parameter names. Longer endings come first.
 constexpr std::pair<std::string_view, std::string_view> kQuantityOfEnding[] = {
     {"_radps2", "angular acceleration"},
     {"_mps2", "acceleration"},
@@ -51,8 +51,8 @@ constexpr std::string_view kUnitEndings[] = {
     "_1ps",     "_mps",    "_mpk",    "_rad",   "_deg",   "_ppm",   "_nm",   "_kg",
     "_hz",      "_pa",     "_s",      "_m",     "_n",     "_w"};
 
-/// The quantity of a column of an inertial unit or a receiver, "rate about x" of "wx_radps",
-/// "specific force along z" of "az_mps2", "east position" of "east_m"; empty for other columns.
+/// Quantity of a column of an inertial unit or a receiver: "rate about x" for "wx_radps", "specific
+/// force along z" for "az_mps2", "east position" for "east_m". Empty for other columns.
 std::string TriadQuantityOf(std::string_view column) {
   if (column == "east_m" || column == "north_m" || column == "up_m") {
     return std::string(column.substr(0, column.size() - 2)) + " position";
@@ -296,7 +296,7 @@ constexpr MechanismWords kWords[] = {
     {"terrain_height", "height of the ground",
      "Around ({x_m}, {y_m}), within {radius_m}, the ground is {height_m:higher:lower} than in the "
      "scenario."},
-    // Sensors: their places, their measurements, their stamps.
+    // Sensors: mounts, measurements and stamps.
     {"extrinsic", "mount off", "{The} is not mounted where its documentation says, by {numbers}."},
     {"mount_rotation", "turned mount", "{The} is turned against its documented mount: {numbers}."},
     {"axis_flip", "reversed sign", "{The} counts backwards{axes}."},
@@ -340,7 +340,7 @@ constexpr MechanismWords kWords[] = {
      "The recorded poses are stamped {delay_s} after they were measured."},
     {"poses/mount_rotation", "leaning map",
      "The map of the recorded poses is not level: {numbers}."},
-    // Mechanisms of the scene, whose sentences contain a place (sensor_text.h).
+    // Mechanisms of the scene. Their sentences name a place (sensor_text.h).
     {"object_added", "unexpected thing", ""},
     {"object_missing", "missing thing", ""},
     {"dust", "dust", ""},

@@ -28,9 +28,9 @@ struct HeldOutError {
 /// finding (MisfitOfExpectedInstead).
 struct ErrorAsExpected {
   double rmse = 0;
-  /// Standard deviation, by noise, of the reduction in mean square that the finding adds. It comes
-  /// from the products of the finding's residual with the change by the finding, summed over each
-  /// piece of FINAL.
+  /// Standard deviation, due to noise, of the additional reduction in mean square by the finding.
+  /// It comes from the products of the finding's residual with the change by the finding, summed
+  /// over each piece of FINAL.
   double taken_sigma = 0;
 };
 

@@ -10,7 +10,7 @@ namespace tera {
 /// Smallest size of a candidate that the diagnosis would find if noise were its only limit.
 struct Detectability {
   const Candidate* candidate = nullptr;
-  /// Value of its main parameter; none if the diagnosis would find no start.
+  /// Value of its main parameter; empty if the diagnosis would find none of the tested values.
   std::optional<double> smallest;
 };
 

@@ -21,7 +21,7 @@ struct EvaluationContext {
   /// Samples of each part, cut into pieces (PiecesOf). `seen` is TRAIN and SELECT.
   const std::vector<Segment> select, seen, final;
   const Mask final_mask, seen_mask;
-  const Likelihood likelihood;  ///< nuisances fitted to TRAIN and SELECT
+  const Likelihood likelihood;  ///< nuisance parameters fitted to TRAIN and SELECT
 };
 
 }  // namespace tera

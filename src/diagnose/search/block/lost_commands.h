@@ -12,12 +12,12 @@ namespace tera {
 /// An interval in which a rate keeps the value that was predicted for its beginning.
 struct Hold {
   Segment samples;
-  double gain = 0;  ///< gain in log-likelihood, of the held over the predicted rate
+  double gain = 0;  ///< gain in log-likelihood of the held rate over the predicted rate
 };
 
 struct HoldNoise {
   double scale = 0;
-  double inflation = 1;  ///< variance of a mean over that of independent errors
+  double inflation = 1;  ///< variance of a mean / variance for independent errors
 };
 
 /// Intervals in which a measured rate stays constant while the prediction changes. A drive that
@@ -48,7 +48,7 @@ struct LostCommands {
   double rmse_before = 0, rmse_after = 0;  ///< RMSE over all samples, without and with holds
 };
 
-/// Lost commands that no other finding explains. None if the rate shows no loss.
+/// Lost commands that no other finding explains. Empty if the rate shows no loss.
 ///
 /// Model   There are at least three holds of the residual (HoldsOf). They gain twice as much as
 ///         `early` holds, and reduce the mean square by at least `tolerated` squared.

@@ -33,15 +33,16 @@ struct ResidualVerdict {
 struct Tolerated {
   /// By mechanism, channel and sample.
   std::vector<std::vector<std::vector<double>>> changes;
-  /// By channel: largest RMS change on FINAL by a rate factor, beyond nuisances.
+  /// By channel: largest RMS change on FINAL by a rate factor, after a fit of the nuisance
+  /// parameters.
   std::vector<double> rms;
 };
 
 /// Error that no candidate explains.
 struct Unexplained {
   Location location;
-  /// p-value of structure over a variable, or else of the flexible regressor's steady gain. None if
-  /// neither is significant.
+  /// p-value of structure over a variable, or else of the flexible regressor's steady gain. Empty
+  /// if neither is significant.
   std::optional<double> p;
   /// Larger gain of the two, over the flexible regressor's gain without any term.
   double share = 0;
@@ -79,8 +80,8 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 ///         Flexible regressor. It predicts a channel if its gain is steady over SELECT (Bonferroni
 ///         over the diagnosis's channels) and over FINAL. A second test runs if few manoeuvres are
 ///         loud or the residual may be slow noise. It uses all manoeuvres, each with a fit to the
-///         others, at half the level. A predicted error is reported only if it reduces FINAL's
-///         error by at least what is tolerated.
+///         others, at half the level. A predicted error is reported only if its removal reduces the
+///         error on FINAL by at least the tolerated error.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context,
                                        const StructureFitter& fitter, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,

@@ -11,11 +11,12 @@
 namespace tera {
 
 struct Misfit {
-  /// By channel and sample: innovation over the scale of the noise; 0 where there is none.
+  /// By channel and sample: innovation divided by the scale of the noise; 0 for a sample without
+  /// innovation.
   std::vector<Eigen::VectorXd> innovation;
   /// By channel: offset, gain - 1, delay (s) and nominal numbers, in standard deviations.
   std::vector<Eigen::VectorXd> nuisances;
-  std::vector<Series> residual;  ///< measured minus predicted, nuisances included in the prediction
+  std::vector<Series> residual;  ///< measured minus predicted, with fitted nuisance parameters
 };
 
 /// Likelihood of a block's measurements for given predictions of its channels.
@@ -43,7 +44,8 @@ class Likelihood {
   Misfit EvaluateAgainst(const std::vector<std::vector<double>>& measured,
                          const std::vector<std::vector<double>>& predicted) const;
   /// Residuals of the least-squares problem: signed square roots of the deviances of the fitted
-  /// samples' innovations. Channel by channel, with the nuisances of a channel after its samples.
+  /// samples' innovations. They are ordered by channel; the nuisance parameters of a channel follow
+  /// its samples.
   std::vector<double> Deviances(const std::vector<std::vector<double>>& predicted) const;
   /// Minus half the sum of squares of Deviances: the log-likelihood of the fitted samples relative
   /// to innovations of 0, minus half the square of each nuisance.
@@ -70,8 +72,8 @@ class Likelihood {
     WhiteningFilter filter;
     std::vector<Segment> runs;
     std::vector<std::size_t> samples;
-    Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
-    Eigen::MatrixXd nominal;           ///< whitened, over the noise's scale
+    Eigen::VectorXd measured, offset;  ///< whitened, divided by the noise's scale
+    Eigen::MatrixXd nominal;           ///< whitened, divided by the noise's scale
   };
   /// The fitted nuisance parameters of one channel, and the innovations of the fitted samples.
   struct ChannelFit {
@@ -88,10 +90,11 @@ class Likelihood {
   std::vector<ChannelPart> parts_;
 };
 
-/// Copies innovations and residuals of some samples between misfits; nuisances stay.
+/// Copies innovations and residuals of some samples between misfits; nuisance parameters are not
+/// copied.
 void CopySamples(const Misfit& from, const Segment& samples, Misfit* out);
 
-/// Log-density of an innovation over the noise's scale, relative to that of 0.
+/// Log-density of an innovation in units of the noise's scale, relative to the log-density of 0.
 double LogDensityOf(double innovation, double dof);
 
 }  // namespace tera

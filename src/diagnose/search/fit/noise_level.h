@@ -21,7 +21,8 @@ struct NoiseLevel {
 ///         s. Differences: robust scale of third differences, whose variance is 20 times that of
 ///         white noise. It ignores tails: the RMS of Student-t noise with 3 degrees of freedom is
 ///         1.5 times as large.
-/// Omits   slow noise during motion only. Neither estimate shows it, so it counts as error.
+/// Omits   slow noise that occurs only during motion. Neither estimate shows it, so it counts as
+///         error.
 NoiseLevel NoiseLevelOf(const ReplayBlock& block, std::size_t channel, const Series& residual,
                         const Mask& mask);
 

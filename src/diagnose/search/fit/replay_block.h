@@ -106,8 +106,8 @@ struct Reading {
   std::vector<std::size_t> held = {};
 };
 
-/// Standard deviations of a channel's nuisances: an offset, a factor on the prediction, and a time
-/// shift. Nuisances are no findings.
+/// Standard deviations of a channel's nuisance parameters: an offset, a factor on the prediction,
+/// and a time shift. A nuisance parameter is fitted but never reported as a finding.
 struct Nuisances {
   double offset = 0;
   double gain = 0.03;
@@ -126,7 +126,7 @@ struct Channel {
   /// physics could do, one row per sample. May be empty.
   Eigen::MatrixXd flexible_regressor;
   /// Change of the prediction by one standard deviation of each nominal number, one column per
-  /// number and one row per sample. They act as further nuisances. May be empty.
+  /// number and one row per sample. They act as further nuisance parameters. May be empty.
   Eigen::MatrixXd nominal;
   /// Samples at which the measurement lags because of inertia that the replay lacks. May be empty.
   /// ExcludeLaggingSamples (excluded_samples.h) turns them into gaps and must precede a search.
@@ -159,8 +159,8 @@ struct ReplayBlock {
   /// samples in a mask. One list per coarse model. Empty if the block has none.
   std::function<std::vector<std::vector<Reading>>(const Channel&, const Mask&)> read_whole = {};
   std::vector<Series> commands;  ///< commands on the grid; they delimit the manoeuvres
-  /// True if the residual at rest shows the noise. False if measurements use the knowledge that the
-  /// machine stands.
+  /// True if the residual at rest shows the noise. False if the measurements were estimated with
+  /// the knowledge that the machine is at rest.
   bool rest_shows_noise = true;
   /// Predicts each channel over the first `samples` of the grid with these terms. Each term
   /// replaces the model's own values of its mechanism; the rest of the model is unchanged.

@@ -12,7 +12,8 @@
 
 namespace tera {
 
-/// A structure with the scores of its fit, without its large misfit.
+/// A structure with the scores of its fit. The misfit itself is omitted, because it needs much
+/// memory.
 struct Scored {
   Structure terms;
   double log_likelihood = 0;

@@ -29,8 +29,8 @@ std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double per
 /// Model   one-sided Student's t over one number per manoeuvre: gain / sqrt(possible (possible +
 ///         20)). It is 1 if a large difference is gained fully, and has a constant variance where
 ///         noise dominates. Errors as long as a manoeuvre count once. Manoeuvres with a possible
-///         gain below 2 are ignored. p is 1 with fewer than three others. Manoeuvres may differ in
-///         variance: the test is then conservative for p below 0.08.
+///         gain below 2 are ignored. p is 1 if fewer than three manoeuvres remain. Manoeuvres may
+///         differ in variance: the test is then conservative for p below 0.08.
 /// Omits   errors that outlast a manoeuvre or piece.
 /// Source  Ibragimov and Mueller 2010, "t-statistic based correlation and heterogeneity robust
 ///         inference"; Bakirov and Szekely 2006.

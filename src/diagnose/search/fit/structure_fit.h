@@ -11,16 +11,16 @@ namespace tera {
 
 struct FittedStructure {
   Structure terms;
-  /// Log-likelihood of the fitted samples, with the penalty of nuisances.
+  /// Log-likelihood of the fitted samples, with the penalty of the nuisance parameters.
   double log_likelihood = 0;
-  Misfit misfit;  ///< nuisances fitted to the same samples
+  Misfit misfit;  ///< nuisance parameters fitted to the same samples
   /// Information of the free parameters, in the order of terms and their `free`.
   Eigen::MatrixXd information;
   Eigen::MatrixXd scores;  ///< rows as in `information`; one column per fitted manoeuvre
 };
 
-/// Default of a parameter: its value in the model, or else that of the mechanism. None for
-/// parameters without one.
+/// Default of a parameter: its value in the model, or else the default of the mechanism. Empty for
+/// a parameter without a default.
 std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index);
 /// Position of a value in the parameter's range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);

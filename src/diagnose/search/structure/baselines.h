@@ -22,7 +22,7 @@ struct BaselineAnswer {
   std::vector<double> rmse_final;     ///< RMSE on FINAL, one per channel
 };
 
-/// RMSE on FINAL by channel, of the replay without candidates and without any fit.
+/// RMSE of the replay on FINAL, by channel, without candidates and without any fit.
 std::vector<double> RmseAsItIs(const ReplayBlock& block, const Stream& stream);
 
 /// Results of five simpler methods, fitted to TRAIN and SELECT. The same `stream` gives the

@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// RMS difference between two misfits' residuals over the RMS of the measurement; the largest over
-/// channels.
+/// RMS difference between the residuals of two misfits, divided by the RMS of the measurement. The
+/// largest value of all channels.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);
 
 }  // namespace tera

@@ -16,7 +16,7 @@ namespace tera {
 /// where the prefix would save less than a third. `manoeuvres` must not be empty.
 std::size_t PrefixLength(const std::vector<Manoeuvre>& manoeuvres, double period_s);
 
-/// The first samples of a block, as a block of its own. Its replay calls that of `block`, which
+/// A block that consists of the first samples of `block`. Its replay calls that of `block`, which
 /// must outlive it.
 ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples);
 

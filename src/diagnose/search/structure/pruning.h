@@ -20,11 +20,12 @@ struct PrunedStructure {
 
 /// Removes terms that a structure does not need.
 ///
-/// Model   backward elimination: the least needed term leaves until all are needed (criteria in
-///         StructureSearch). One exception concerns pairs of terms that are needed only together,
-///         for example play in a joint that pulls harder than it pushes. If exactly one term would
-///         leave, and exactly one other would then leave too, both are tested together against the
-///         rest. The p-value is corrected for the number of pairs of candidates.
+/// Model   backward elimination: the least needed term is removed until all remaining terms are
+///         needed (criteria in StructureSearch). One exception concerns pairs of terms that are
+///         needed only together, for example play in a joint that pulls harder than it pushes. If
+///         exactly one term would leave, and exactly one other would then leave too, both are
+///         tested together against the rest. The p-value is corrected for the number of pairs of
+///         candidates.
 /// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs whose
 ///         two terms both seem unneeded alone. FINAL judges each of the two terms separately.
 class Pruning {

@@ -11,10 +11,11 @@ namespace tera {
 /// Compares a structure with its rivals: structures in which another candidate replaces one of its
 /// terms.
 ///
-/// Model   a rival is rejected if cross-fitted manoeuvres of TRAIN and SELECT gain from the term in
-///         its place: p is at most kRivalP and the gain at least kRivalGain. The comparison is
-///         repeated with one more mechanism in both structures: the likeliest timing or actuator
-///         mechanism within tolerance (expected_beside.h). The rival must be rejected in both.
+/// Model   a rival is rejected if replacing it by the term gives a gain on cross-fitted manoeuvres
+///         of TRAIN and SELECT: p is at most kRivalP and the gain at least kRivalGain. The
+///         comparison is repeated with one more mechanism in both structures: the likeliest timing
+///         or actuator mechanism within tolerance (expected_beside.h). The rival must be rejected
+///         in both.
 class RivalTests {
  public:
   /// All arguments must outlive this object.

@@ -79,7 +79,7 @@ struct SearchResult {
   std::vector<SingleEvidence> singles;
   /// Gain of the flexible regressor over the empty structure, in log-likelihood on SELECT.
   double flexible_gain = 0;
-  /// Gain of all found terms over the empty structure, in log-likelihood on SELECT. None after a
+  /// Gain of all found terms over the empty structure, in log-likelihood on SELECT. Empty after a
   /// term was moved out.
   std::optional<double> found_gain;
 };

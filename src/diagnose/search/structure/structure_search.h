@@ -44,10 +44,11 @@ namespace tera {
 /// Source  Schwarz 1978.
 class StructureSearch {
  public:
-  /// `noise` has one model per channel; `on_seen` fits to TRAIN and SELECT. A search after an
-  /// `earlier` one starts from its result. Single candidates keep their earlier values; the four
-  /// likeliest are refitted if nothing was found. The earlier structure replaces the pairs. All
-  /// arguments except the noise must outlive the search unchanged.
+  /// `noise` has one model per channel; `on_seen` fits to TRAIN and SELECT. With an `earlier`
+  /// search, the new search starts from its result. Single candidates keep the values of the
+  /// earlier fits; if the earlier search found nothing, the four likeliest are refitted. The
+  /// structure of the earlier search is tried instead of pairs of candidates. All arguments except
+  /// the noise must outlive the search unchanged.
   StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                   const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
                   const SearchOptions& options, const EarlierSearch& earlier = {});

@@ -30,8 +30,8 @@ struct ChangePoints {
 ///
 /// Model   e is Student-t with `dof`. Its location score is (dof + 1) e / (dof + e^2), and its
 ///         scale score is (dof + 1) e^2 / (dof + e^2) - 1. Both are bounded and have mean 0. Scores
-///         are averaged over cells and scaled to unit variance. The variance is that of theory or,
-///         if `guarded` and larger, that of the scatter between cells.
+///         are averaged over cells and scaled to unit variance. The variance is the theoretical
+///         one. If `guarded`, it is at least the variance of the scatter between cells.
 ///
 ///         The segmentation minimises the sum of squares plus a penalty per change, exactly, by
 ///         pruned dynamic programming (PELT). The penalty, 2 log(cells / alpha), bounds the

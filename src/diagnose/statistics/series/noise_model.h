@@ -52,7 +52,8 @@ ShorterPredictors PredictorsOf(const std::vector<double>& ar);
 
 /// Variance of a sample of the process, from its impulse response. Requires dof > 2.
 double VarianceOf(const NoiseModel& noise);
-/// Long-run variance: that of the mean of many samples, times their number. Requires dof > 2.
+/// Long-run variance: the variance of the mean of many samples, times their number. Requires dof >
+/// 2.
 double LongRunVarianceOf(const NoiseModel& noise);
 
 /// Log-density of the standard Student-t distribution.

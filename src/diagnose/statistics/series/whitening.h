@@ -23,9 +23,9 @@ struct Innovations {
 ///
 /// Model   each valid sample is predicted from at most order() valid samples directly before it.
 ///         After a gap, a shorter predictor is used, and its larger error is scaled down. Gaussian
-///         noise is thus whitened exactly from the first sample of a segment. `log_likelihood` is
-///         that of Student-t innovations.
-/// Omits   what samples before a gap say about those after it.
+///         noise is thus whitened exactly from the first sample of a segment. `log_likelihood`
+///         assumes Student-t innovations.
+/// Omits   the information of samples before a gap about samples after it.
 Innovations Whiten(const NoiseModel& noise, const Series& series);
 
 /// The whitening filter A of a noise model as a linear map. (A x)_t = x_t - sum_i ar_i x_(t-i) for

@@ -18,7 +18,7 @@ class Daylight {
   explicit Daylight(const Environment& environment);
 
   const Sky& sky() const { return sky_; }
-  /// Sets the luminance that maps to 1. Empty: by the scene's exposure.
+  /// Sets the luminance that maps to 1. If empty, the scene's exposure determines it.
   void SetWhite(std::optional<double> white_cdpm2);
   /// Factor from luminance to image value, in 1 / (cd/m^2).
   double exposure() const { return exposure_; }

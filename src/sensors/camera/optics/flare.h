@@ -29,7 +29,7 @@ class Flare {
  private:
   struct Ghost {
     double place;   ///< factor m of the position
-    double radius;  ///< over the focal length
+    double radius;  ///< radius / focal length
     Vec3 tint;      ///< colour, with mean 1
   };
 

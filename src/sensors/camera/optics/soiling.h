@@ -37,7 +37,7 @@ class Soiling {
 
   /// Transmittance of the glass for undeflected light, per pixel.
   const Image<float>& transmitted() const { return transmitted_; }
-  /// Diameter of the disc of a point on the glass.
+  /// Diameter of the disc over which the image of a point on the glass is spread.
   double disc_px() const { return disc_px_; }
   /// Image point shown by a pixel of a drop, relative to the centre of the drop. `sphere_mm` is the
   /// radius of the drop's sphere.

@@ -13,8 +13,8 @@ namespace tera {
 ///
 /// Model   Dots at random positions in the cells of a grid over direction tangents. All dots have
 ///         the same intensity and a Gaussian profile, with a standard deviation of `dot_share` of a
-///         cell. A surface visible to the projector becomes brighter by the factor 1 + illuminance
-///         of the dots over that of the scene.
+///         cell. A surface visible to the projector becomes brighter by the factor 1 + E_dots /
+///         E_scene, the ratio of both illuminances.
 /// Omits   Laser speckle; the cosine of the dots' incidence relative to that of the scene's light.
 struct DotProjector {
   double intensity_cd = 0;  ///< peak intensity of a dot, as visible light
@@ -31,7 +31,8 @@ class DotPattern {
  public:
   DotPattern(const DotProjector& projector, const Stream& draw);
 
-  /// Intensity over the peak of a dot, in the direction (x, y, 1); zero beyond kWidest.
+  /// Intensity in the direction (x, y, 1), divided by the peak intensity of a dot; zero beyond
+  /// kWidest.
   double At(const Vec2& tangent) const;
 
   static constexpr double kWidest = 1.5;  ///< greatest tangent of a direction

@@ -16,7 +16,7 @@ namespace tera {
 struct StereoModel {
   int disparities_px = 96;                ///< search range from 0; a multiple of 16
   int block_px = 5;                       ///< side of the matching window; odd
-  int uniqueness_percent = 8;             ///< margin of the best match over the second best
+  int uniqueness_percent = 8;             ///< margin of the best match to the second best
   double noise_dn = 1;                    ///< 1 sigma of the grey level of each eye, in 0..255
   std::optional<DotProjector> projector;  ///< none for passive stereo
 };

@@ -64,7 +64,7 @@ TEST(PointCloudFile, PointsWithoutAPlaceAreLeftOutAndCounted) {
   EXPECT_THAT(cloud.p_m, ElementsAre(Vec3(1, 2, 3)));
   EXPECT_EQ(cloud.without_place, 1);
   EXPECT_THAT(FaultOf("nans.pcd", kPcd + "ascii\n0 0 0 nan 1 0 0 1\n0 0 0 1 inf 0 0 3\n"),
-              HasSubstr("no point has a place (2 without finite coordinates"));
+              HasSubstr("no point is usable (2 without finite coordinates"));
 }
 
 std::string PlyHeader(const std::string& form, const std::string& type) {
@@ -216,7 +216,7 @@ TEST(PointCloudFile, WhatIsCutOffIsRefusedWhereverItEnds) {
   const std::string whole = Bytes(las);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     EXPECT_THAT(FaultOf("cut.las", whole.substr(0, length)),
-                testing::AnyOf(HasSubstr("cut off"), HasSubstr("does not begin as a LAS")))
+                testing::AnyOf(HasSubstr("cut off"), HasSubstr("does not begin with 'LASF'")))
         << length;
   }
   const std::string pcd = kPcd + "binary\n" + std::string(2 * 31, 'x');
@@ -226,20 +226,20 @@ TEST(PointCloudFile, WhatIsCutOffIsRefusedWhereverItEnds) {
   }
   for (std::size_t length = 0; length < ply.size(); ++length) {
     EXPECT_THAT(FaultOf("cut.ply", ply.substr(0, length)),
-                testing::AnyOf(HasSubstr("cut off"), HasSubstr("does not begin as a PLY")))
+                testing::AnyOf(HasSubstr("cut off"), HasSubstr("does not begin with 'ply'")))
         << length;
   }
 }
 
 TEST(PointCloudFile, WhatIsNoPointCloudIsRefusedWithWhatIsNeeded) {
   EXPECT_THAT(FaultOf("text.las", "easting,northing\n1,2\n"),
-              HasSubstr("does not begin as a LAS file does"));
+              HasSubstr("does not begin with 'LASF' as a LAS file"));
   EXPECT_THAT(FaultOf("pointer.las", "version https://git-lfs.github.com/spec/v1\noid sha256:4d"),
-              HasSubstr("is a pointer of Git LFS, which stands for the file; need a point cloud as "
+              HasSubstr("is a pointer of Git LFS instead of the file; need a point cloud as "
                         ".pcd, .ply or .las; fetch the file itself: git lfs pull"));
   EXPECT_THAT(FaultOf("packed.laz", "LASF"), HasSubstr("LAZ is compressed; write it as LAS"));
   EXPECT_THAT(FaultOf("points.xyz", "1 2 3\n"),
-              HasSubstr("'.xyz' is no ending of a point cloud that is known; need .pcd"));
+              HasSubstr("'.xyz' is an unknown extension of a point cloud; need .pcd"));
   Las las;
   las.format = 0x80 | 1;
   EXPECT_THAT(FaultOf("laz.las", Bytes(las)), HasSubstr("its points are packed as LAZ"));
@@ -249,7 +249,7 @@ TEST(PointCloudFile, WhatIsNoPointCloudIsRefusedWithWhatIsNeeded) {
   las.record = 20;
   EXPECT_THAT(FaultOf("r.las", Bytes(las)), HasSubstr("20 bytes long, format 1 needs 28"));
   las.record = 28;
-  EXPECT_THAT(FaultOf("zero.las", Bytes(las)), HasSubstr("no point has a place"));
+  EXPECT_THAT(FaultOf("zero.las", Bytes(las)), HasSubstr("no point is usable"));
   las.count = 4'000'000'000;
   EXPECT_THAT(FaultOf("many.las", Bytes(las)), HasSubstr("4000000000 points declared"));
 }

@@ -199,7 +199,7 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
       "gnss: [{name: gnss, columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: "
       "{constant: 9}}}]\n";
   EXPECT_THAT(FaultOf("log.nmea", keys),
-              AllOf(HasSubstr("log.nmea:2: its checksum is not that of the sentence"),
+              AllOf(HasSubstr("log.nmea:2: its checksum does not match the sentence"),
                     HasSubstr("--skip-bad-rows")));
   const ImportReport report = Import(
       "log.nmea", "zero: start\norigin: {lat_deg: 48.1, lon_deg: 11.5, height_m: 500}\n" + keys,
@@ -257,7 +257,7 @@ TEST_F(ForeignLog, LeapSecondsAreThoseOfTheDay) {
 
 TEST_F(ForeignLog, WhatASolutionFileMustNotBeIsNamed) {
   Log("log.pos", std::string("2024/01/01 00:00:18.000 ") + kRest);
-  EXPECT_THAT(FaultOf("log.pos"), HasSubstr("log.pos:1: no line of column names stands before it"));
+  EXPECT_THAT(FaultOf("log.pos"), HasSubstr("log.pos:1: no line of column names precedes it"));
   Log("log.pos", "%  UTC  x-ecef(m) y-ecef(m) z-ecef(m) Q\n");
   EXPECT_THAT(FaultOf("log.pos"), HasSubstr("its solution is in x-ecef; need latitude"));
   Log("log.pos", "%  UTC  latitude(d'\") longitude(d'\") height(m) Q\n");
@@ -337,7 +337,7 @@ TEST_F(ForeignLog, FramesThatADriveLacksAreNamedOrCounted) {
 TEST_F(ForeignLog, AFolderOfNoKnownFormIsRefused) {
   Log("things/readme.txt", "nothing");
   EXPECT_THAT([&] { SuggestMapping(scratch_.path() / "things"); },
-              ThrowsMessage<InputError>(HasSubstr("things: is a folder of no known form")));
+              ThrowsMessage<InputError>(HasSubstr("things: is a folder of unknown form")));
 }
 
 }  // namespace

@@ -188,8 +188,9 @@ TEST_F(NmeaLog, OfTwoTalkersOneIsAskedFor) {
   for (int k = 0; k < 3; ++k) log += RmcAt(k) + GgaAt(k) + GgaAt(k, "GP", 501);
   WriteWholeFile(scratch_.path() / "two.nmea", log);
   yaml_ = SuggestMapping(scratch_.path() / "two.nmea");
-  EXPECT_THAT(FaultOf(yaml_), AllOf(HasSubstr("two.nmea: the talkers GN, GP say of the same times"),
-                                    HasSubstr("'talker: GN'")));
+  EXPECT_THAT(FaultOf(yaml_),
+              AllOf(HasSubstr("two.nmea: the talkers GN, GP give positions at the same times"),
+                    HasSubstr("'talker: GN'")));
   std::string other = yaml_;
   other.replace(other.find("# talker: GN"), 12, "talker: GN");
   ExpectThePlace(Imported(other), 3);
@@ -199,15 +200,14 @@ TEST_F(NmeaLog, OfTwoTalkersOneIsAskedFor) {
   EXPECT_NEAR(fixes[0].alt_m, 547, 1e-9);
   EXPECT_EQ(report_.zero_ns, 1'714'564'800 * kNsPerSecond);  // of GN's RMC
   other.replace(other.find("talker: GP"), 10, "talker: GL");
-  EXPECT_THAT(FaultOf(other),
-              HasSubstr("no position is of the talker 'GL'; it has those of GN, GP"));
+  EXPECT_THAT(FaultOf(other), HasSubstr("no position has the talker 'GL'; the log has GN, GP"));
 }
 
 TEST_F(NmeaLog, TwoReceiversOfOneTalkerCannotBeTold) {
   WriteWholeFile(scratch_.path() / "two.nmea", GgaAt(0) + GgaAt(0, "GN", 501));
   EXPECT_THAT(FaultOf("name: n\nmachine: machine\nfile: two.nmea\norigin: {lat_deg: 48, lon_deg: "
                       "-11.5, height_m: 500}\ngnss: [{name: gnss}]\n"),
-              HasSubstr("two.nmea:2: says another place than a GGA before it of the same time"));
+              HasSubstr("two.nmea:2: gives another position than an earlier GGA of the same time"));
 }
 
 TEST_F(NmeaLog, RowsThatHaveNoPlaceOrAreNoMeasurementAreLeftOutByTheSuggestion) {

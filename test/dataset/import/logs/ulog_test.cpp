@@ -239,9 +239,9 @@ TEST_F(UlogTest, AppendedDataIsRead) {
 TEST_F(UlogTest, WhatIsNoLogOrOfALaterVersionIsRefused) {
   const std::string keys = Table("sensor_combined", "gyro_rad[0]");
   Log("");
-  EXPECT_THAT(FaultOf(keys), HasSubstr("log.ulg: is no ULog"));
+  EXPECT_THAT(FaultOf(keys), HasSubstr("log.ulg: is not a ULog"));
   Log("\x55\x4c\x6f\x67");
-  EXPECT_THAT(FaultOf(keys), HasSubstr("is no ULog"));
+  EXPECT_THAT(FaultOf(keys), HasSubstr("is not a ULog"));
   Log(Ulog(2).bytes());
   EXPECT_THAT(FaultOf(keys), HasSubstr("is a ULog of version 2; need version 0 or 1"));
   Log(Ulog().Flags(0, 2, 0).bytes());
@@ -255,7 +255,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
     return FaultOf(keys);
   };
   const std::string time = Bytes(std::uint64_t{1});
-  EXPECT_THAT(fault(Ulog().Data(7, time)), HasSubstr("a topic that was not offered"));
+  EXPECT_THAT(fault(Ulog().Data(7, time)), HasSubstr("data of an undeclared topic"));
   EXPECT_THAT(fault(Ulog().Offer(1, "t").Data(1, time)), HasSubstr("no definition of t"));
   EXPECT_THAT(fault(Ulog().Format("t:t a;").Offer(1, "t").Data(1, time)),
               HasSubstr("a format that holds itself"));
@@ -270,7 +270,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
   const std::string long_name(60000, 'a');
   EXPECT_THAT(
       fault(Ulog().Format("t:uint8_t[65535] " + long_name + ";").Offer(1, "t").Data(1, time)),
-      HasSubstr("a field with a name that nobody could write"));
+      HasSubstr("a field with an invalid name"));
   EXPECT_THAT(fault(Ulog().Format("t:float[0] a;").Offer(1, "t").Data(1, time)),
               HasSubstr("an array without a length"));
   EXPECT_THAT(fault(Ulog().Format("t:float a;").Offer(1, "t").Data(1, time)),
@@ -278,13 +278,14 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
   EXPECT_THAT(fault(Ulog().Format("no colon")), HasSubstr("a format without a name"));
   EXPECT_THAT(fault(Ulog().Message('D', "x")), HasSubstr("without a topic"));
   EXPECT_THAT(fault(Ulog().Raw(Bytes(std::uint16_t{1}) + "\xff\xff")),
-              HasSubstr("bytes that are no message"));
+              HasSubstr("bytes that are not a message"));
   Ulog sound;
   sound.Format("t:uint64_t timestamp;float a;").Offer(1, "t");
   EXPECT_THAT(fault(Ulog(sound).Data(1, time + "ab")), HasSubstr("is shorter than its fields"));
   EXPECT_THAT(fault(Ulog(sound).Data(1, Bytes(~std::uint64_t{0}) + Bytes(1.0f))),
               HasSubstr("its timestamp is no time"));
-  EXPECT_THAT(fault(Ulog(sound).Data(1, time + Bytes(std::nanf("")))), HasSubstr("is no number"));
+  EXPECT_THAT(fault(Ulog(sound).Data(1, time + Bytes(std::nanf("")))),
+              HasSubstr("is not a number"));
   const std::string later = Bytes(std::uint64_t{9}) + Bytes(1.0f);
   EXPECT_THAT(fault(Ulog(sound).Data(1, later).Data(1, time + Bytes(1.0f))),
               HasSubstr("need a later time"));

@@ -65,11 +65,10 @@ TEST(DoubtedNumbers, AJointThatBeginsAnewIsMappedSoWithARemark) {
   EXPECT_EQ(
       yaml(Slew("slew_deg", 360)),
       "      - {name: slew, angle: {column: slew_deg, unit: deg}, wrap_deg: 360}   # guessed: "
-      "it begins anew after a turn\n");
-  EXPECT_THAT(
-      yaml(Slew("slew", 400)),
-      HasSubstr("unit: deg, scale: 0.9}, wrap_deg: 360}   # guessed: it begins anew after a "
-                "turn; one turn is 400"));
+      "it wraps after a turn\n");
+  EXPECT_THAT(yaml(Slew("slew", 400)),
+              HasSubstr("unit: deg, scale: 0.9}, wrap_deg: 360}   # guessed: it wraps after a "
+                        "turn; one turn is 400"));
 }
 
 /// Rows of a still, level unit, except for `az`, that turns about z.
@@ -103,7 +102,7 @@ TEST(DoubtedNumbers, AnInertialUnitIsJudgedInTheUnitsThatAreGuessed) {
                         "give it rpy_deg: [180, 0, 0]"));
   EXPECT_THAT(Still(9.8, 40).Remarks(), HasSubstr("are they in deg/s?"));
   EXPECT_THAT(Still(9.8, 40, "wz_dps").Remarks(), IsEmpty());
-  EXPECT_THAT(Still(0.02).Remarks(), HasSubstr("was gravity taken away"));
+  EXPECT_THAT(Still(0.02).Remarks(), HasSubstr("was gravity subtracted"));
 }
 
 TEST(DoubtedNumbers, NothingIsSaidOfColumnsThatLackNumbers) {

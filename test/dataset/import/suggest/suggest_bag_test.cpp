@@ -265,7 +265,7 @@ TEST_F(SuggestBag, OrientationsThatNobodyFilledAreNoTurn) {
   Write(bag);
   const auto poses = Suggested().LoadPose("truth/machine/pose.csv").poses;
   EXPECT_TRUE(poses[1].X_WB.isApprox(Pose(Eigen::Translation3d(1, 2, 3)), 1e-12));
-  EXPECT_THAT(yaml_, HasSubstr("nobody has filled the orientation"));
+  EXPECT_THAT(yaml_, HasSubstr("the orientation is empty"));
 }
 
 // --- Transforms
@@ -310,7 +310,7 @@ TEST_F(SuggestBag, APairOfFramesOfTransformsIsThePose) {
 TEST_F(SuggestBag, TransformsNeedTheirFrames) {
   Write(TopicsMcap().Message("/tf", kTfName, LogAt(0), TransformsMessage(0)));
   EXPECT_THAT(FaultOf("pose: {topic: /tf}\n"),
-              AllOf(HasSubstr("is of tf2_msgs/TFMessage, which holds many transforms"),
+              AllOf(HasSubstr("has the type tf2_msgs/TFMessage, which holds many transforms"),
                     HasSubstr("it has base_link>boom, odom>base_link")));
   EXPECT_THAT(FaultOf("pose: {topic: /tf, parent: odom, child: base}\n"),
               HasSubstr("/tf has no transform odom>base; it has base_link>boom, odom>base_link"));

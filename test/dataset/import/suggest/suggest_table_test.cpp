@@ -43,8 +43,9 @@ TEST_F(SuggestedTable, ACounterIsNoTimeAndARepeatedStampIsLeftOut) {
 
 TEST_F(SuggestedTable, AStampThatGoesBackIsToldAndIsTheTime) {
   Suggest("seq,time_s,boom_deg\n0,0.00,20\n1,0.02,20.1\n2,0.01,20.1\n3,0.04,20.2\n");
-  EXPECT_THAT(yaml_,
-              HasSubstr("time: {column: time_s, unit: s}\n# line 4 is earlier than the row"));
+  EXPECT_THAT(
+      yaml_,
+      HasSubstr("time: {column: time_s, unit: s}\n# line 4 is earlier than the previous row"));
 }
 
 TEST_F(SuggestedTable, WhatAlwaysIncreasesIsNoTimeByThatAlone) {
@@ -54,7 +55,7 @@ TEST_F(SuggestedTable, WhatAlwaysIncreasesIsNoTimeByThatAlone) {
                 HasOnlyFault(FaultKind::kMissing, "mapping.yaml:5:7: time"))
         << name;
     EXPECT_THAT(yaml_,
-                HasSubstr("'" + name + "' always increases, by 1, but no name says that it is a"));
+                HasSubstr("'" + name + "' always increases, by 1, but its name is not that of a"));
   }
   // The first column without a name, as in pandas' index.
   EXPECT_THAT(Refusal(",boom\n0,20\n1,21\n2,19\n"), HasFault(FaultKind::kMissing, "time"));
@@ -65,9 +66,8 @@ TEST_F(SuggestedTable, ATimeWithoutAUnitIsTakenWhereItsFractionsTell) {
   EXPECT_THAT(yaml_, HasSubstr("time: {column: t, unit: s}   # guessed: steps of 0.02 with"));
   EXPECT_THAT(Refusal("t,boom\n0,20\n20,20.1\n40,20.2\n"),
               HasOnlyFault(FaultKind::kNoSuchName, "mapping.yaml:5:25: time.unit"));
-  EXPECT_THAT(yaml_,
-              HasSubstr("# to fill in: nothing tells its unit; it steps by 20, at 0.05 Hz in "
-                        "s or 50 Hz in ms\n"));
+  EXPECT_THAT(yaml_, HasSubstr("# to fill in: its unit is unknown; it steps by 20, at 0.05 Hz in "
+                               "s or 50 Hz in ms\n"));
 }
 
 TEST_F(SuggestedTable, NamesOfTimesInOtherLanguagesAreKnown) {
@@ -94,8 +94,8 @@ TEST_F(SuggestedTable, DatesAreTheTimeInEachOfTheirForms) {
   EXPECT_THAT(Suggest("timestamp,boom_deg\n2024-05-01T12:34:59Z,20\n2024-05-01T12:35:00Z,21\n"),
               HasSubstr("time: {date: timestamp}\nzero: start\n"));
   EXPECT_THAT(Suggest("timestamp,boom_deg\n2024-05-01 12:34:59,20\n2024-05-01 12:35:00,21\n"),
-              HasSubstr("time: {date: timestamp}   # guessed: no zone is told, taken as UTC; else "
-                        "say zone: \"+01:00\"\n"));
+              HasSubstr("time: {date: timestamp}   # guessed: no zone is given, taken as UTC; "
+                        "otherwise set zone: \"+01:00\"\n"));
 }
 
 TEST_F(SuggestedTable, DateAndClockInTwoColumnsAreOneTime) {
@@ -112,7 +112,7 @@ TEST_F(SuggestedTable, DayAndMonthAreToldApartOrAskedFor) {
   EXPECT_THAT(yaml_, HasSubstr("time: {date: time, order: mdy}"));
   EXPECT_THAT(Refusal("time,boom_deg\n05/01/2024 12:34:59,20\n05/01/2024 12:35:00,20.1\n"),
               HasFault(FaultKind::kNoSuchName, "time.order"));
-  EXPECT_THAT(yaml_, HasSubstr("# to fill in: no row tells whether day or month is first\n"));
+  EXPECT_THAT(yaml_, HasSubstr("# to fill in: no row shows whether day or month is first\n"));
 }
 
 TEST_F(SuggestedTable, TimesOfOtherEpochsAreKnownByTheirSize) {
@@ -155,7 +155,8 @@ TEST_F(SuggestedTable, MillisecondsOfAFastLoggerAreNoSeconds) {
   std::string log = "t,boom\n";
   for (int k = 0; k < 200; ++k)
     log += fmt::format("{:.1f},20\n", k < 100 ? 0.5 * k : 8e4 + 0.5 * k);
-  EXPECT_THAT(Suggest(log), HasSubstr("{column: t, unit: unknown}   # to fill in: nothing tells"));
+  EXPECT_THAT(Suggest(log),
+              HasSubstr("{column: t, unit: unknown}   # to fill in: its unit is unknown"));
 }
 
 TEST_F(SuggestedTable, SecondsOfGpsTimeAreNotThoseSince1970) {

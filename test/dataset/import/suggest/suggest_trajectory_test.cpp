@@ -38,7 +38,7 @@ class Trajectory : public ::testing::Test {
       Suggested(name, text);
       ADD_FAILURE() << "imported without a time: " << yaml_;
     } catch (const InputError& fault) {
-      EXPECT_THAT(fault.what(), HasSubstr("'unknown' says nothing of the time"));
+      EXPECT_THAT(fault.what(), HasSubstr("'unknown' does not describe a time"));
     }
     const std::string unknown = "time: unknown";
     const std::size_t at = yaml_.find(unknown);
@@ -132,7 +132,7 @@ TEST_F(Trajectory, OfKittiIsRowsOfRotationAndPlaceAndNeedsTimes) {
     Imported(head + "pose: {form: kitti, time: {interval: 0.1, unit: s}}\n");
     FAIL();
   } catch (const InputError& fault) {
-    EXPECT_THAT(fault.what(), HasSubstr("00.txt:1: its numbers are no rotation with a place"));
+    EXPECT_THAT(fault.what(), HasSubstr("00.txt:1: its numbers are not a rotation and a position"));
   }
 }
 

@@ -54,7 +54,7 @@ TEST_F(SuggestedTable, ALoggerThatWasStartedAnewIsToldAndTheLongerPartIsTaken) {
     const bool is_late = start > 50;
     ASSERT_EQ(joints.samples.size(), is_late ? 80u : 60u);
     EXPECT_NEAR(joints.samples[0].q_rad[0], (is_late ? 20 : 24) * kDeg, 1e-9);
-    EXPECT_THAT(yaml_, HasSubstr(fmt::format("# line {} begins anew", start + 2)));
+    EXPECT_THAT(yaml_, HasSubstr(fmt::format("# line {} goes back by", start + 2)));
   }
 }
 
@@ -80,7 +80,7 @@ TEST_F(SuggestedTable, AClockThatWasSetBackPartsAFile) {
 TEST_F(SuggestedTable, OneRowThatGoesBackIsNoNewStart) {
   Suggest(Boom("time_s", [](int k) { return fmt::format("{:.2f}", k == 50 ? 0.01 : 0.02 * k); }));
   EXPECT_THAT(yaml_, Not(HasSubstr("last_line")));
-  EXPECT_THAT(yaml_, HasSubstr("# line 52 is earlier than the row before"));
+  EXPECT_THAT(yaml_, HasSubstr("# line 52 is earlier than the previous row"));
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ TEST_F(MotionRules, AUnitThatHangsUpsideDownByItsMountIsFine) {
       "parent_link: chassis\nX_parent_sensor: {xyz_m: [0, 0, 1], quaternion_wxyz: [0, "
       "1, 0, 0]}\n");
   EXPECT_THAT(Only("imu.down", "digger/imu").places[0].message,
-              HasSubstr("deg from where down is by its mount"));
+              HasSubstr("deg from the downward direction of its mount"));
   Scale("digger/imu/data.csv", {"wy_radps", "wz_radps", "ay_mps2", "az_mps2"}, -1);
   EXPECT_TRUE(Found().empty());
 }
@@ -237,7 +237,7 @@ TEST_F(MotionRules, AUnitWithoutGravity) {
   LeaveTheUnitAlone("");
   Scale("digger/imu/data.csv", kForces, 0.001);
   EXPECT_THAT(Only("imu.gravity", "digger/imu").places[0].message,
-              HasSubstr("was gravity taken away from it?"));
+              HasSubstr("was gravity subtracted?"));
 }
 
 TEST_F(MotionRules, RatesInDegreesOfAUnitWithoutPoses) {
