@@ -214,8 +214,8 @@ class LidarKeys {
     if (!HoldsPackets(topic->type)) {
       channel_.Fault("topic",
                      {FaultKind::kUnsupported,
-                      fmt::format("is of {}; need {}, {}, {} or {}", topic->type, kPointCloudType,
-                                  kVelodyneType, kPandarType, kOusterSensorType)});
+                      fmt::format("has the type {}; need {}, {}, {} or {}", topic->type,
+                                  kPointCloudType, kVelodyneType, kPandarType, kOusterSensorType)});
       return;
     }
     const bool is_velodyne = topic->type == kVelodyneType, is_pandar = topic->type == kPandarType;
