@@ -18,7 +18,7 @@ void AddImportRigCommand(CLI::App* app) {
       "Turn rigs of the TERA paper's project into a rig, or machines, of this schema");
   command->add_option("FILE", arguments->rig, "Its configuration (YAML)")->required();
   command->add_option("--machine", arguments->machine,
-                      "id of the one machine whose rig is wanted (all, as machines of a scenario)");
+                      "id of one machine to convert (all, as machines of a scenario)");
   command->add_option("--out", arguments->out, "File to write; standard output without it");
   command->callback([arguments] {
     const std::string yaml = ImportRig(arguments->rig, arguments->machine);

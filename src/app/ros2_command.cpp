@@ -117,7 +117,7 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
                                     {"lockstep", ros::Pace::kLockstep}}));
   command
       ->add_option("--rate", options->rate_hz,
-                   "Hz of /clock, of the states, and of looking for levers")
+                   "Rate in Hz of /clock, of the states, and of polling for lever messages")
       ->check(NumberBetween(1, 1e4, "Hz"))
       ->capture_default_str();
   command
@@ -125,7 +125,7 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
                    "Wall-clock seconds that lockstep waits for an answer")
       ->check(NumberBetween(0.01, 3600, "seconds"))
       ->capture_default_str();
-  command->add_option("--duration", options->duration_s, "Simulated seconds, instead of no end")
+  command->add_option("--duration", options->duration_s, "Simulated seconds; without it no end")
       ->check(PositiveNumber("seconds"));
 }
 

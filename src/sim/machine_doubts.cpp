@@ -230,7 +230,7 @@ std::optional<std::string> DoubtOfGround(const MachineModel& model) {
     if (joint.type == JointType::kContinuous) endless.push_back(joint.name);
   }
   std::string doubt =
-      " touches nothing: no tracks, wheels or hull_points; it will fall: give it these, or "
+      " touches nothing and will fall: no tracks, wheels or hull_points; give it these, or "
       "fixed_base: true";
   if (endless.size() > 1) {
     doubt += fmt::format(" (are {} wheels? docs/reference/machines.md, Wheels of a URDF)",

@@ -41,8 +41,8 @@ void RequireAboveGround(const MachinePlacement& placement, const MachineState& m
                    "{:.1f}) m: {}",
                    ToSeconds(t_ns), top_m.x(), top_m.y(), top_m.z(),
                    placement.model.BearsOnGround()
-                       ? "its tracks, wheels and hull_points did not hold it; correct their "
-                         "places, or its mass"
+                       ? "its tracks, wheels and hull_points did not support it; correct their "
+                         "positions, or its mass"
                        : "it touches nothing; give it tracks, wheels or hull_points, or "
                          "fixed_base: true")});
 }

@@ -96,8 +96,8 @@ TEST_F(MachineFiles, AMachineThatTouchesNothingIsToldAndItsRunStops) {
   const Outcome checked = Check();
   EXPECT_EQ(checked.status, 0) << checked.err;
   EXPECT_THAT(checked.out,
-              HasSubstr("\nwarning: m1 touches nothing: no tracks, wheels or hull_points; it will "
-                        "fall: give it these, or fixed_base: true\nvalid\n"));
+              HasSubstr("\nwarning: m1 touches nothing and will fall: no tracks, wheels or "
+                        "hull_points; give it these, or fixed_base: true\nvalid\n"));
   ExpectRefused(scratch, {"generate", "s.yaml", "--out", "run"},
                 AllOf(HasSubstr("machine m1: has fallen below all ground at -0."),
                       HasSubstr("it touches nothing; give it tracks, wheels or hull_points, or "

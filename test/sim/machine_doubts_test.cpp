@@ -187,10 +187,9 @@ TEST(MachineDoubts, ACentreOfMassFarBesideTheLinkIsTold) {
 }
 
 TEST(MachineDoubts, WhatBearsOnNothingFalls) {
-  EXPECT_THAT(
-      DoubtsWith(Base(), ""),
-      ElementsAre("m1 touches nothing: no tracks, wheels or hull_points; it will fall: give "
-                  "it these, or fixed_base: true"));
+  EXPECT_THAT(DoubtsWith(Base(), ""),
+              ElementsAre("m1 touches nothing and will fall: no tracks, wheels or hull_points; "
+                          "give it these, or fixed_base: true"));
   EXPECT_THAT(DoubtsWith(Base(), "hull_points: [{link: base, points_m: [[1, 0, -0.5]]}]\n"),
               IsEmpty());
   std::string wheels;

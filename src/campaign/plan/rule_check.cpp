@@ -109,11 +109,12 @@ void RuleCheck::Finish() const {
   for (std::size_t r = 0; r < met_.size(); ++r) {
     if (met_[r]) continue;
     const AcceptanceRule& rule = campaign_.rules[r];
-    faults.emplace_back(FaultKind::kNoSuchName,
-                        fmt::format("no episode meets rule '{}'; need {} in the scenario, its "
-                                    "randomise: or a factor",
-                                    rule.name, WhatIsMissing(rule)),
-                        rule.place);
+    faults.emplace_back(
+        FaultKind::kNoSuchName,
+        fmt::format(
+            "no episode can meet rule '{}'; need {} in the scenario, its randomise: or a factor",
+            rule.name, WhatIsMissing(rule)),
+        rule.place);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
 }

@@ -24,12 +24,12 @@ void CountedFile::Commit(std::string_view header) {
   CheckedFile file(path_);
   file.Append(header);
   std::ifstream rest(rest_.path(), std::ios::binary);
-  if (!rest) FailFile(rest_.path(), "cannot be read again", errno);
+  if (!rest) FailFile(rest_.path(), "cannot be read a second time", errno);
   std::string piece(kPiece, '\0');
   while (rest.read(piece.data(), static_cast<std::streamsize>(kPiece)) || rest.gcount() > 0) {
     file.Append({piece.data(), static_cast<std::size_t>(rest.gcount())});
   }
-  if (rest.bad()) FailFile(rest_.path(), "cannot be read again", errno);
+  if (rest.bad()) FailFile(rest_.path(), "cannot be read a second time", errno);
   file.Commit();
   fs::remove(rest_.path());
 }

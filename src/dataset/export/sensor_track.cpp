@@ -38,7 +38,7 @@ SensorPoses TrackByJoints(ExportJob* job, const std::string& sensor) {
   const SensorSheet sheet = ReadSensorSheet(recording.directory() / sensor);
   if (!recording.Has(pose_file)) FailUnplaced(*job, sensor, "there is no " + pose_file);
   if (!recording.Has(joints_file)) FailUnplaced(*job, sensor, "there is no " + joints_file);
-  if (tree == nullptr) FailUnplaced(*job, sensor, "its machine's joints are not known");
+  if (tree == nullptr) FailUnplaced(*job, sensor, "its machine's joints are unknown");
   if (!sheet.X_PS) FailUnplaced(*job, sensor, "its sensor.yaml has no X_parent_sensor");
   const PoseTrack roots = RecordedTrack(recording, pose_file).X_WS;
   if (roots.empty()) FailUnplaced(*job, sensor, pose_file + " has no rows");

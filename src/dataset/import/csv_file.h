@@ -28,7 +28,7 @@ struct CsvForm {
 };
 
 /// Reads one table, or several tables with equal columns one after another. Throws InputError if
-/// the columns differ, and as CsvFile does.
+/// the columns differ, and for the faults of CsvFile.
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out);
 

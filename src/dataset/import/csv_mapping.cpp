@@ -212,7 +212,7 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
     source.talker = chooses.Has("talker") ? chooses.Text("talker") : "";
   }
   if (source.files.size() > 1 && !TypeOf(source).empty()) {
-    channel.Fault("file", "names several files; tables in text alone are joined, need one");
+    channel.Fault("file", "names several files; only text tables are joined, need one file");
   }
   if (source.log_type == kKittiType) {
     for (const auto& frame :
@@ -232,7 +232,7 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
     source.time.number.column = kLogTimeColumn;
   } else if (source.log_type == kKittiPosesType && !holder.Has("time")) {
     channel.Fault("time", {FaultKind::kMissing,
-                           "is missing: poses of KITTI's form have no times; need {interval: 0.1, "
+                           "is missing: poses in KITTI's form have no times; need {interval: 0.1, "
                            "unit: s}, or times: times.txt"});
   } else if (has_stamps && !HasTimeForStamps(channel, top)) {
     source.time.number.column = OwnTimeColumn(source);

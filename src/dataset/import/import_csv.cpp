@@ -31,7 +31,7 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   mapping.machine = top.Text("machine");
   RequirePlainName(top, "machine", mapping.machine);
   if (mapping.machine == "truth") {
-    top.Fault("machine", "'truth' is a folder that every recording has; choose another");
+    top.Fault("machine", "'truth' is reserved for a folder of every recording; choose another");
   }
   for (const char* shared : {"file", "time", "csv", "talker"})
     top.Has(shared);  // marks the key as known; each channel may override it

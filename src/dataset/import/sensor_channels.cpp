@@ -235,7 +235,7 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
     const auto at_zero = std::count_if(rows.begin(), rows.end(), IsAtZero);
     if (at_zero > 0) {
       run->last()->remarks.push_back(
-          fmt::format("{} row{} at latitude 0, longitude 0: taken as without a fix", at_zero,
+          fmt::format("{} row{} at latitude 0, longitude 0: treated as without a fix", at_zero,
                       at_zero == 1 ? "" : "s"));
     }
     run->AddMotion(source, MotionOf(samples));

@@ -29,7 +29,7 @@ struct HeldOutBlocks {
 };
 
 /// Reads a held-out recording. Unless `simulate` is empty, its blocks are corrected for the
-/// replay's discrepancy. Throws InputError where it cannot be compared.
+/// replay's discrepancy. Throws InputError if the recording cannot be compared.
 HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
                           std::uint64_t seed);
 

@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// Poses of the base in W from the estimated motion, every 0.1 s of the observed time. Empty where
-/// position or heading would rest on running gear alone: it takes two receivers, or one receiver
-/// and an inertial unit.
+/// Poses of the base in W from the estimated motion, every 0.1 s of the observed time. Empty if
+/// position or heading would depend on running gear alone. Two receivers are needed, or one
+/// receiver and an inertial unit.
 ///
 /// Model   running gear has little weight where there are receivers: its deviation is a third of
 ///         its speed. Parts of the motion are estimated separately. At their border both move to

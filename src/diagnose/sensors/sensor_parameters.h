@@ -77,7 +77,7 @@ void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, Paramet
                       UnitChannel* channel);
 /// Adds the time constant of a unit's low pass. The documented delay of the unit then excludes it.
 void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
-/// Documented range of turn rates (rad/s) and specific forces (m/s^2); infinite where it is not
+/// Documented range of turn rates (rad/s) and specific forces (m/s^2); infinite if it is not
 /// documented.
 std::array<double, 2> DocumentedLimits(const SensorDescription& unit);
 /// Adds the shares of rates and forces beyond the channel's limits that the unit clips. `sigma` is

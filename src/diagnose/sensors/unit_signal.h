@@ -15,13 +15,13 @@ const std::string& UnitOf(const SensorProblem& problem, std::size_t unit);
 /// a constant.
 double LogScale(const MotionEstimate& estimate);
 
-/// Tries a low pass in each unit whose delay exceeds its tolerance. It stays where it explains more
-/// than the delay and its time constant is beyond tolerance.
+/// Tries a low pass in each unit whose delay exceeds its tolerance. The low pass is kept if it
+/// explains more than the delay and its time constant is beyond tolerance.
 MotionEstimate WithLowPasses(const DiagnosisInput& input, const EstimateOptions& options,
                              MotionEstimate best, SensorProblem* problem);
 
-/// Tries a limited range in each gyro and accelerometer whose range the motion exceeds. It stays
-/// where it explains more.
+/// Tries a limited range in each gyro and accelerometer whose range the motion exceeds. The limit
+/// is kept if it explains more.
 ///
 /// Model   the limit of a triad is the median of its measurements at times when the motion exceeds
 ///         the largest measurement. It is tried where the recording becomes twenty times as likely.

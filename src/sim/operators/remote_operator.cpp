@@ -90,10 +90,10 @@ std::optional<std::string> FaultOfToolPose(const ControlMessage::ToolPose& pose,
   if (!pose.target.p_BF_m.allFinite() ||
       (pose.target.R_BF &&
        (!pose.target.R_BF->allFinite() || !pose.target.R_BF->isUnitary(1e-6)))) {
-    return "the pose of '" + pose.frame + "' is not a place and a rotation, need finite numbers";
+    return "the pose of '" + pose.frame + "' is not a position and a rotation, need finite numbers";
   }
   if (pose.target.p_BF_m.cwiseAbs().maxCoeff() > kFarthest_m) {
-    return fmt::format("the place of '{}' is beyond {} m, need one that a tool may reach",
+    return fmt::format("the place of '{}' is beyond {} m, need a place within reach of a tool",
                        pose.frame, kFarthest_m);
   }
   return std::nullopt;

@@ -49,7 +49,7 @@ void GiveTask(const std::optional<ConfigMap>& task_config, const ConfigMap& mach
   if (!task) return;  // its faults are reported
   if (!task->trench) {
     config.Fault("type", {FaultKind::kUnsupported,
-                          "digs trenches alone; need a task with a trench, or another operator"});
+                          "digs only trenches; need a task with a trench, or another operator"});
     return;
   }
   const MachineModel& model = placement.model;

@@ -42,7 +42,7 @@ void WriteVisibilities(NuTables* tables) {
     tables->Add(NuTable::kVisibility,
                 {{"token", fmt::format("{}", level)},
                  {"level", fmt::format("v{}-{}", from, to)},
-                 {"description", fmt::format("{} to {} % of the object are visible", from, to)}});
+                 {"description", fmt::format("{} to {} % of the object is visible", from, to)}});
   }
 }
 

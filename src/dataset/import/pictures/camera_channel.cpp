@@ -87,7 +87,8 @@ class CameraImport {
       told->remarks.push_back(fmt::format("pictures of {} x {} px, {}", width_px_, height_px_,
                                           is_depth_ ? "depth" : "colour"));
     }
-    if (!plan_.lens) told->remarks.push_back("without a lens: nothing can be projected into them");
+    if (!plan_.lens)
+      told->remarks.push_back("without a lens: projections into these pictures are impossible");
     // sensor.yaml is written last, because it needs the frame rate.
     if (writer != nullptr) {
       WriteWholeFile(writer->PathFor(plan_.folder + "/sensor.yaml"), CameraSheet(plan_, frames_));
@@ -204,9 +205,9 @@ class CameraKeys {
     const auto topic = ReadNamedTopic(channel_, "topic", plan_->file, unpacked_);
     if (!topic) return;
     if (topic->type != kImageType && topic->type != kCompressedImageType) {
-      channel_.Fault("topic",
-                     {FaultKind::kUnsupported, fmt::format("is of {}; need {} or {}", topic->type,
-                                                           kImageType, kCompressedImageType)});
+      channel_.Fault("topic", {FaultKind::kUnsupported,
+                               fmt::format("has the type {}; need {} or {}", topic->type,
+                                           kImageType, kCompressedImageType)});
       return;
     }
     ReadLens(&*topic);
@@ -252,8 +253,8 @@ class CameraKeys {
     const auto info = ReadNamedTopic(channel_, "info", plan_->file, unpacked_);
     if (!info) return;
     if (info->type != kCameraInfoType) {
-      channel_.Fault("info", {FaultKind::kUnsupported,
-                              fmt::format("is of {}; need {}", info->type, kCameraInfoType)});
+      channel_.Fault("info", {FaultKind::kUnsupported, fmt::format("has the type {}; need {}",
+                                                                   info->type, kCameraInfoType)});
       return;
     }
     const bool looks_rectified = pictures.name.find("rect") != pictures.name.npos;

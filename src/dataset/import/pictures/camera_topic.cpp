@@ -141,8 +141,8 @@ StampedPicture ReadPictureMessage(const BagTopic& topic, const BagMessage& messa
     const auto bytes = cursor.Number<std::uint32_t>();
     if (format.find("compressedDepth") != format.npos) {
       throw InputError(place, {FaultKind::kUnsupported,
-                               "is of image_transport's compressedDepth; need the raw depth topic, "
-                               "by 'ros2 run image_transport republish'"});
+                               "has image_transport's compressedDepth; need the raw depth topic, "
+                               "as from 'ros2 run image_transport republish'"});
     }
     stamped.picture = DecodePictureFile(cursor.Bytes(bytes), place);
     return stamped;

@@ -124,14 +124,14 @@ std::string BagChannels::AddImu(const SeenTopic& seen, TakenNames* names) {
   if (!rate.is_known()) {
     if (std::max({rates[0]->LargestSize(), rates[1]->LargestSize(), rates[2]->LargestSize()}) >
         kFastBody_radps) {
-      yaml += "    # guessed: rad/s, as ROS means; " + rate.doubt + "\n";
+      yaml += "    # guessed: rad/s, as in ROS; " + rate.doubt + "\n";
     }
     rate = {"rad/s", 1.0, ""};
   }
   if (!force.is_known()) force.unit = "m/s2";
   yaml += InertialRemarks(look.times().t_ns, rates, rate, forces, force);
   if (rate.unit != "rad/s" || force.unit != "m/s2") {
-    if (force.unit != "m/s2") force.doubt = "gravity is not 9.8 long; ROS means m/s2";
+    if (force.unit != "m/s2") force.doubt = "gravity is not 9.8; ROS uses m/s2";
     yaml += "    columns:\n";
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const UnitGuess& unit = k < 3 ? rate : force;
@@ -139,7 +139,7 @@ std::string BagChannels::AddImu(const SeenTopic& seen, TakenNames* names) {
                           k % 3 == 0 ? DoubtRemark(unit) : "");
     }
   } else if (!force.doubt.empty()) {
-    yaml += "    # guessed: m/s2, as ROS means; " + force.doubt + "\n";
+    yaml += "    # guessed: m/s2, as in ROS; " + force.doubt + "\n";
   }
   Add("imus", seen, look.times(), rules, yaml, names);
   return "";

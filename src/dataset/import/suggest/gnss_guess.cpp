@@ -221,7 +221,7 @@ UnitGuess GuessPlaceUnit(const std::vector<const NumbersOfColumn*>& place,
   const double usual = speeds.empty() ? 0 : Median(std::move(speeds));
   if (usual <= kFastest_mps) return {"m", 1.0, ""};
   return {kUnknownUnit, 1.0,
-          fmt::format("it moves {:.4g} a second, faster than a machine in m", usual)};
+          fmt::format("it moves {:.4g} a second, too fast for a machine in m", usual)};
 }
 
 }  // namespace tera

@@ -98,7 +98,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
   if (is_about(1e3)) return {"g", 1e-3, ""};
   constexpr double kLeastCounts = 100;  // raw counts for 1 g
   std::string doubt =
-      fmt::format("the median vector is {:.4g} long, as gravity is in no unit", length);
+      fmt::format("the median vector is {:.4g} long, which is gravity in no unit", length);
   if (length > kLeastCounts) doubt += fmt::format("; counts of g / {:.4g}?", length);
   return {kUnknownUnit, 1.0, doubt};
 }

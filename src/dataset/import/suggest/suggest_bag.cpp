@@ -169,11 +169,11 @@ class BagGuess {
     if (HoldsTransforms(type)) return "transforms " + channels_.PairsText(seen);
     if (StandardColumnOf(type, "qw")) {
       return pose_ != nullptr ? "the pose is that of " + pose_->topic.name
-                              : "a pose of a part, or one that cannot be read";
+                              : "a pose of a part, or an unreadable pose";
     }
     if (type.ends_with("Scan") || type.ends_with("Packets")) {
-      return "scans of this type do not come in by a mapping: docs/reference/dataset.md, importing "
-             "scans of lidars";
+      return "a mapping cannot import scans of this type: docs/reference/import.md, Scans of "
+             "lidars";
     }
     if (type == "sensor_msgs/Joy") return "levers may be columns \"axes[0]\" of a table commands";
     return "-";
@@ -187,7 +187,7 @@ class BagGuess {
     if (type == kVelodyneType) rest = ", unit: unknown}   # need vlp16 or vlp32c";
     if (type == kPandarType) rest = ", unit: qt64}   # guessed: the only one that is read";
     if (HoldsPoints(type)) rest = "}";
-    if (rest.empty()) rest = ", metadata: unknown}   # need the JSON that the sensor itself gave";
+    if (rest.empty()) rest = ", metadata: unknown}   # need the metadata JSON of the sensor";
     counts_from_epoch_ = counts_from_epoch_ || seen.first_ns > kEpoch_ns;
     lidars_ +=
         fmt::format("  - {{name: {}, topic: {}{}\n", names_.Take(PlainNameOf(seen.topic.name)),

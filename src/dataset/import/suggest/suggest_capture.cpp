@@ -47,8 +47,7 @@ std::string SuggestForCapture(const std::filesystem::path& log) {
   for (const auto& [port, count] : ports) {
     if (port == kOusterPort) {
       lidars +=
-          "  - {name: lidar_ouster, metadata: unknown}   # need the JSON that the sensor itself "
-          "gave\n";
+          "  - {name: lidar_ouster, metadata: unknown}   # need the metadata JSON of the sensor\n";
     } else if (port == kVelodynePort) {
       const std::string unit = FirstUnit(log);
       lidars += fmt::format(

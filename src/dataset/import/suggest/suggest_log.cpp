@@ -285,7 +285,7 @@ std::string EurocYaml(const fs::path& folder, const std::vector<EurocFile>& file
                       EurocColumnsYaml(rates, "rad/s"), EurocColumnsYaml(forces, "m/s2"));
     } else {
       others += "# not imported: " + file.file.string() +
-                (file.Has("filename") ? ", pictures do not come in by a mapping\n" : "\n");
+                (file.Has("filename") ? ", a mapping cannot import pictures\n" : "\n");
     }
   }
   std::string yaml = Top(folder.filename().string());
@@ -311,7 +311,7 @@ std::string SuggestForLog(const fs::path& log) {
                            : type == kNmeaType ? NmeaYaml(log, *table, contents)
                                                : KittiYaml(log, *table);
   if (left_out.count == 0) return yaml;
-  return yaml + fmt::format("# {} lines cannot be read and need --skip-bad-rows, the first: {}\n",
+  return yaml + fmt::format("# {} lines cannot be read and need --skip-bad-rows; the first: {}\n",
                             left_out.count, left_out.first);
 }
 

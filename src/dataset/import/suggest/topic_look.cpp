@@ -29,8 +29,9 @@ std::string WhyNotOwn(const TopicTimes& times, bool trusts_far) {
     return fmt::format("{} of {} of their own go back", times.own_steps.back, times.own_steps.rows);
   }
   if (times.IsFar() && !trusts_far) {
-    return fmt::format("their own is {:.0f} s from when they were recorded, of another clock",
-                       ToSeconds(times.ahead_ns));
+    return fmt::format(
+        "their own is {:.0f} s from the time of recording and comes from another clock",
+        ToSeconds(times.ahead_ns));
   }
   return "";
 }

@@ -167,7 +167,7 @@ TEST_F(SuggestBag, StampsOfAnotherClockAreThoseOfTheRecorderWhereOthersHaveHis) 
   }
   Write(both);
   EXPECT_EQ(Suggested().LoadImu("machine/imu")[1].t_ns, 12'000'000);  // 2 ms after the joints
-  EXPECT_THAT(yaml_, HasSubstr("of another clock"));
+  EXPECT_THAT(yaml_, HasSubstr("from another clock"));
   Write(alone);
   EXPECT_EQ(Suggested().LoadImu("machine/imu").size(), 4u);
   EXPECT_THAT(yaml_, Not(HasSubstr("time:")));

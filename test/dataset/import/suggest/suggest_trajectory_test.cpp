@@ -210,7 +210,7 @@ TEST_F(Trajectory, AFolderOfEurocAsPublishedHasUnitAndPose) {
   const Recording recording(scratch_.path() / "out");
   EXPECT_EQ(recording.LoadImu("machine/imu0")[0].f_S_mps2, Vec3(1, 2, 9.8));
   EXPECT_EQ(recording.ChannelsOf("imu").size(), 1u);
-  EXPECT_THAT(yaml_, HasSubstr("cam0/data.csv, pictures do not come in by a mapping"));
+  EXPECT_THAT(yaml_, HasSubstr("cam0/data.csv, a mapping cannot import pictures"));
 }
 
 }  // namespace
