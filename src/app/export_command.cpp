@@ -126,12 +126,13 @@ void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
 /// Adds options for formats with one camera and one lidar.
 void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
-  command->add_option("--camera", options->camera, "kitti: MACHINE/CAMERA; the first");
+  command->add_option("--camera", options->camera, "kitti: MACHINE/CAMERA; without it the first");
   command->add_option("--lidar", options->lidar,
                       "Of kitti and semantickitti: MACHINE/LIDAR, the first; of pcap: one alone");
   command
-      ->add_option("--layout", options->kitti_layouts,
-                   "kitti: raw, object, tracking, odometry and depth, or some of them; all")
+      ->add_option(
+          "--layout", options->kitti_layouts,
+          "kitti: raw, object, tracking, odometry and depth, or some of them; without it all")
       ->delimiter(',')
       ->transform(OneOf(KittiLayoutsByName()));
 }

@@ -27,7 +27,7 @@ std::string PostureLine(const LayoutReport& report, const std::string& posture) 
   if (always.empty() && never.empty()) return "";
   const std::string person = "A " + Spaced(posture) + " person is ";
   if (always.empty()) {
-    return person + "detected at every moment at no distance of any quarter.";
+    return person + "nowhere detected at every moment in all directions of a quarter.";
   }
   std::string line = fmt::format("{}detected at every moment {}", person, fmt::join(always, ", "));
   if (!never.empty()) line += fmt::format("; at no distance {}", fmt::join(never, ", "));

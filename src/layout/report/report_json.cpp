@@ -38,7 +38,7 @@ Figure ReadFigure(const json& from) {
   if (from.at("unit") != UnitOf(id.measure) ||
       from.at("more_is_better") != IsMoreBetter(id.measure)) {
     throw InputError(
-        fmt::format("figure '{}' has another unit or the wrong sense of better", NameOf(id)));
+        fmt::format("figure '{}' has another unit or direction of improvement", NameOf(id)));
   }
   return {id, from.at("at"), from.at("sampling_error_at")};
 }

@@ -138,8 +138,8 @@ std::string PeopleTable(const LayoutReport& report) {
   }
   if (rows.empty()) return "";
   return "<div class=\"wide\"><table><tr><th>Person</th><th>Every direction within 45° "
-         "of</th><th>Detected at every moment</th><th class=\"r\">Length of these distances, "
-         "mean</th><th class=\"r\">Worst moment</th></tr>\n" +
+         "of</th><th>Detected at every moment</th><th class=\"r\">Total length of distances with "
+         "detection, mean</th><th class=\"r\">Worst moment</th></tr>\n" +
          rows + "</table></div>\n";
 }
 

@@ -191,7 +191,7 @@ TEST_F(WrittenReport, APageSaysOfHowManySensorsCostAndPowerAre) {
   LayoutReport report = SampleReport();
   EXPECT_THAT(ReportPage(report),
               HasSubstr("cost 4500 (2 of 3 sensors priced), power 8.5 W (1 of 3 sensors with a "
-                        "power), 33.2 MB/s of data"));
+                        "power), 33.2 MB/s of raw data"));
   report.expense = {0, 0, 1, 3, 0, 0};
   EXPECT_THAT(ReportPage(report), HasSubstr("cost unknown (no sensor priced), power unknown"));
 }

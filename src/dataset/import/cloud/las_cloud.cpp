@@ -44,7 +44,7 @@ class LasReader {
   }
 
   void RequireHeader() const {
-    if (!bytes_.starts_with("LASF")) Refuse("does not begin with 'LASF' as a LAS file");
+    if (!bytes_.starts_with("LASF")) Refuse("does not begin with 'LASF', the signature of LAS");
     const int major = At<std::uint8_t>(kVersionAt), minor = At<std::uint8_t>(kVersionAt + 1);
     if (major != 1 || minor > 4) {
       Refuse(fmt::format("LAS {}.{} found, need 1.0 to 1.4", major, minor));

@@ -40,7 +40,7 @@ class PlyHeaderReader {
       : file_(file), bytes_(bytes) {}
 
   PlyVertices Read() {
-    if (NextLine() != "ply") Refuse("does not begin with 'ply' as a PLY file");
+    if (NextLine() != "ply") Refuse("does not begin with 'ply', the signature of PLY");
     for (std::string line = NextLine(); line != "end_header"; line = NextLine()) Take(line);
     vertices_.body = at_;
     if (std::ranges::find(kForms, vertices_.form) == kForms.end()) {

@@ -212,17 +212,11 @@ class LidarKeys {
       return;
     }
     if (!HoldsPackets(topic->type)) {
-<<<<<<< HEAD
       channel_.Fault(
-          "topic", {FaultKind::kUnsupported,
-                    fmt::format("is of {}; need {}, CustomMsg of Livox, {}, {} or {}", topic->type,
-                                kPointCloudType, kVelodyneType, kPandarType, kOusterSensorType)});
-=======
-      channel_.Fault("topic",
-                     {FaultKind::kUnsupported,
-                      fmt::format("has the type {}; need {}, {}, {} or {}", topic->type,
-                                  kPointCloudType, kVelodyneType, kPandarType, kOusterSensorType)});
->>>>>>> 738d01705a9ae42b60d88f059a8db1528cc6b71a
+          "topic",
+          {FaultKind::kUnsupported,
+           fmt::format("has the type {}; need {}, CustomMsg of Livox, {}, {} or {}", topic->type,
+                       kPointCloudType, kVelodyneType, kPandarType, kOusterSensorType)});
       return;
     }
     const bool is_velodyne = topic->type == kVelodyneType, is_pandar = topic->type == kPandarType;

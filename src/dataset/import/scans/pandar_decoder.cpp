@@ -74,8 +74,8 @@ class PandarDecoder : public PacketDecoder {
     }
     const auto at = [&](std::size_t place) { return PacketNumber<std::uint8_t>(bytes, place); };
     if (at(0) != 0xee || at(1) != 0xff) {
-      RefusePacket(packet,
-                   std::string("does not begin with ee ff as a packet of a QT64") + kOrLeaveOut);
+      RefusePacket(packet, std::string("does not begin with ee ff, the start of a QT64 packet") +
+                               kOrLeaveOut);
     }
     if (at(6) != kQt64Lasers || at(7) != kPandarBlocks || at(9) != 4) {
       RefusePacket(packet,

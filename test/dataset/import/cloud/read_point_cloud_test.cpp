@@ -233,7 +233,7 @@ TEST(PointCloudFile, WhatIsCutOffIsRefusedWhereverItEnds) {
 
 TEST(PointCloudFile, WhatIsNoPointCloudIsRefusedWithWhatIsNeeded) {
   EXPECT_THAT(FaultOf("text.las", "easting,northing\n1,2\n"),
-              HasSubstr("does not begin with 'LASF' as a LAS file"));
+              HasSubstr("does not begin with 'LASF', the signature of LAS"));
   EXPECT_THAT(FaultOf("pointer.las", "version https://git-lfs.github.com/spec/v1\noid sha256:4d"),
               HasSubstr("is a pointer of Git LFS instead of the file; need a point cloud as "
                         ".pcd, .ply or .las; fetch the file itself: git lfs pull"));

@@ -213,9 +213,10 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
 
 TEST_F(ForeignLog, WithoutDeviationsTheMappingMustSayThem) {
   Log("log.nmea", kGga);
-  EXPECT_THAT(FaultOf("log.nmea"),
-              AllOf(HasSubstr("log.nmea:1: has a fix, but its position or variance is no number"),
-                    HasSubstr("var_e: {constant: 4}")));
+  EXPECT_THAT(
+      FaultOf("log.nmea"),
+      AllOf(HasSubstr("log.nmea:1: has a fix, but its position or variance is not a number"),
+            HasSubstr("var_e: {constant: 4}")));
   EXPECT_THAT(SuggestMapping(scratch_.path() / "log.nmea"), HasSubstr("guessed: there is no GST"));
   ImportSuggested(scratch_.path() / "log.nmea");
 }
