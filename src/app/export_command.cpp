@@ -127,8 +127,9 @@ void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
 void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--camera", options->camera, "kitti: MACHINE/CAMERA; without it the first");
-  command->add_option("--lidar", options->lidar,
-                      "Of kitti and semantickitti: MACHINE/LIDAR, the first; of pcap: one alone");
+  command->add_option(
+      "--lidar", options->lidar,
+      "kitti, semantickitti: MACHINE/LIDAR; without it the first. pcap: without it all");
   command
       ->add_option(
           "--layout", options->kitti_layouts,
