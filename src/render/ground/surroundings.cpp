@@ -99,7 +99,7 @@ void Surroundings::Place(const TerrainSurface& terrain) {
       Vertex& vertex = vertices_[ring * kAround + k];
       vertex.position_W_m = Vec3(p.x(), p.y(), z).cast<float>();
       vertex.albedo_root = albedo.cwiseMax(0.0f).cwiseSqrt();
-      const auto leaves = std::max(green, wooded);
+      const float leaves = 1 - (1 - green) * (1 - wooded);
       const auto bare = static_cast<float>(SoilNearInfrared(soil_albedo_.cast<double>()));
       vertex.near_infrared = bare + leaves * (static_cast<float>(kLeafNearInfrared) - bare);
     }

@@ -82,6 +82,21 @@ std::vector<Mechanism> LidarMechanisms() {
 
 constexpr int kMostPulsesPerScan = 1'000'000;
 
+/// Pulses of a pattern per scan, a whole number.
+int PulsesPerScan(const ConfigMap& config, const ScanPattern& pattern, const SampleClock& clock) {
+  const double pulses = pattern.pulses_per_s / clock.rate_hz;
+  const double whole = std::clamp<double>(std::round(pulses), 1, kMostPulsesPerScan);
+  constexpr double kRounding = 1e-6;
+  if (std::abs(pulses - whole) > kRounding) {
+    config.Fault(
+        "pattern",
+        fmt::format("{:.12g} pulses a scan at rate_hz {}; need a whole number from 1 to {}, "
+                    "such as pulses_per_s: {:.12g}",
+                    pulses, clock.rate_hz, kMostPulsesPerScan, whole * clock.rate_hz));
+  }
+  return static_cast<int>(whole);
+}
+
 void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const SampleClock& clock) {
   const double column_s = 1.0 / (clock.rate_hz * lidar.columns);
   const double last_s =
@@ -95,14 +110,7 @@ void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const Sample
 
 void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
   auto model = ReadModel<LidarModel>(config);
-  if (model.pattern) {
-    const double pulses = std::round(model.pattern->pulses_per_s / sensor->clock.rate_hz);
-    if (pulses < 1 || pulses > kMostPulsesPerScan) {
-      config.Fault("pattern", fmt::format("{} pulses a scan at rate_hz {}; need 1 to {}", pulses,
-                                          sensor->clock.rate_hz, kMostPulsesPerScan));
-    }
-    model.columns = static_cast<int>(std::clamp<double>(pulses, 1, kMostPulsesPerScan));
-  }
+  if (model.pattern) model.columns = PulsesPerScan(config, *model.pattern, sensor->clock);
   CheckFirings(config, model, sensor->clock);
   sensor->model = model;
 }

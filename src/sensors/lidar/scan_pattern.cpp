@@ -16,12 +16,28 @@ namespace {
 constexpr double kMost_pulses_per_s = 1e7;
 constexpr double kSecondsPerMinute = 60;
 
+/// Throws InputError where an angle lies outside its range, as one in another unit does.
+void CheckAngles(const std::filesystem::path& file, const std::string& column,
+                 const std::vector<double>& angles_deg, double least, double most) {
+  constexpr std::size_t kFirstRowLine = 2;
+  for (std::size_t row = 0; row < angles_deg.size(); ++row) {
+    if (angles_deg[row] >= least && angles_deg[row] <= most) continue;
+    throw InputError(fmt::format("{}:{}", file.string(), row + kFirstRowLine),
+                     {FaultKind::kOutOfRange, fmt::format("column '{}' is {}; need {} to {} deg",
+                                                          column, angles_deg[row], least, most)});
+  }
+}
+
 /// Directions of a file's rows. Throws InputError.
 std::vector<Eigen::Vector3f> DirectionsOf(const std::filesystem::path& file) {
   const std::vector<std::string> header = ReadCsvHeader(file);
   const bool is_livox = std::find(header.begin(), header.end(), "Zenith/deg") != header.end();
-  const auto columns = is_livox ? ReadCsvColumns(file, {"Azimuth/deg", "Zenith/deg"})
-                                : ReadCsvColumns(file, {"azimuth_deg", "elevation_deg"});
+  const std::vector<std::string> names =
+      is_livox ? std::vector<std::string>{"Azimuth/deg", "Zenith/deg"}
+               : std::vector<std::string>{"azimuth_deg", "elevation_deg"};
+  const auto columns = ReadCsvColumns(file, names);
+  CheckAngles(file, names[0], columns[0], -360, 360);
+  CheckAngles(file, names[1], columns[1], is_livox ? 0 : -90, is_livox ? 180 : 90);
   std::vector<Eigen::Vector3f> d_S;
   for (std::size_t row = 0; row < columns[0].size(); ++row) {
     const double azimuth_rad = columns[0][row] * kDeg;

@@ -250,8 +250,7 @@ TEST(Tolerance, OfADelayHoldsBesideWhatTheLogOfALeverTells) {
 }
 
 // The owner's tolerance of 0.04 s is of the sum of delays and lags from a lever to its joint. A lag
-// of 0.03 s uses it, so a delay of as much beside it is no expected deviation; beside a lag of
-// 0.15 s, a finding, it is.
+// of 0.03 s within tolerance leaves a delay 0.01 s. A lag of 0.15 s is a finding and uses nothing.
 TEST(Tolerance, OfDelaysIsOneForAllDelaysOfACommand) {
   const Mechanism& lag = MechanismOf("actuator_lag", EffectTarget::kJoint);
   const Mechanism& delay = MechanismOf("command_delay", EffectTarget::kJoint);
@@ -264,16 +263,21 @@ TEST(Tolerance, OfDelaysIsOneForAllDelaysOfACommand) {
     blocks[0].candidates.push_back(candidate);
   }
   StateTolerances({}, &blocks);
-  const auto offered = [&](double lag_s) {
+  const auto longest_delay_s = [&](double lag_s) {
     const Term present{&blocks[0].candidates[0], {lag_s}};
-    std::set<std::string_view> ids;
+    bool has_band = false;
+    double longest_s = 0;
     for (const Candidate& one : ExpectedBeside(blocks[0], {present}, "boom")) {
-      ids.insert(one.mechanism->id);
+      if (one.mechanism == &delay) longest_s = one.free.front().upper;
+      has_band = has_band || one.mechanism == &band;
     }
-    return ids;
+    EXPECT_TRUE(has_band);
+    return longest_s;
   };
-  EXPECT_EQ(offered(0.03), (std::set<std::string_view>{"dead_band"}));
-  EXPECT_EQ(offered(0.15), (std::set<std::string_view>{"command_delay", "dead_band"}));
+  EXPECT_NEAR(longest_delay_s(0.001), 0.039, 1e-9);
+  EXPECT_NEAR(longest_delay_s(0.03), 0.01, 1e-9);
+  EXPECT_EQ(longest_delay_s(0.04), 0);
+  EXPECT_NEAR(longest_delay_s(0.15), 0.04, 1e-9);
 }
 
 TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {

@@ -207,6 +207,19 @@ TEST(RayScene, LeavesAreBrightToTheLidar) {
   }
 }
 
+// The soil line is 1.2 red + 0.04; no surface returns more light than it receives.
+TEST(RayScene, SoilInABucketFollowsTheSoilLine) {
+  SceneModel model = OneBodyEach({WallMesh(5, -1)});
+  model.nodes[0].label = SemanticClass::kSoilInBucket;
+  const Ray ahead = RayFrom({1, 0, 0.1}, Vec3::UnitX());
+  for (const auto& [red, expected] : {std::pair(0.25, 0.34), {0.9, 1.0}}) {
+    model.meshes[0].parts[0].material.albedo = Vec3(red, 0.1, 0.1);
+    RayScene scene(model);
+    scene.Update({{MakePose({6, 0, 0})}}, NoGround());
+    EXPECT_NEAR(TraceOne(scene, ahead).reflectance, expected, 1e-6);
+  }
+}
+
 TEST(RayScene, RainWetsWhatStandsInItButNotMetal) {
   // (1 - 0.02) (1 - 0.472) 0.6 / (1 - 0.472 0.6) by Lekner and Dorf.
   for (const auto& [metallic, expected] : {std::pair(0.0, 0.433), {1.0, 0.6}}) {

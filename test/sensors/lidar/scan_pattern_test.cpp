@@ -122,6 +122,22 @@ TEST(ScanPattern, WhatIsNoPatternIsRefused) {
       ThrowsFault(kUnknown, "s.elevation_deg"));
 }
 
+TEST(ScanPattern, PulsesThatFillNoWholeScanAreRefused) {
+  const std::string prisms = "prisms: {deflection_deg: [9, 9], speed_rpm: [60, -50]}";
+  EXPECT_THAT([&] { ReadPatternLidar("pattern: {pulses_per_s: 1004, " + prisms + "}"); },
+              ThrowsFault(kInconsistent, "s.pattern"));
+}
+
+TEST(ScanPattern, AnglesOutsideTheirRangeAreRefused) {
+  for (const char* rows : {"0,91\n", "0,0\n400,0\n", "0,-90.5\n"}) {
+    const PatternFile file(std::string("azimuth_deg,elevation_deg\n") + rows);
+    EXPECT_THAT([&] { ReadPatternLidar(file.Key()); }, ThrowsFault(kOutOfRange, "s.pattern.csv"))
+        << rows;
+  }
+  const PatternFile zenith("Azimuth/deg,Zenith/deg\n0,181\n");
+  EXPECT_THAT([&] { ReadPatternLidar(zenith.Key()); }, ThrowsFault(kOutOfRange, "s.pattern.csv"));
+}
+
 TEST(ScanPattern, ColumnsThatAFileLacksAreNamed) {
   const PatternFile file("azimuth_deg,tilt\n1,2\n");
   EXPECT_THAT([&] { ReadPatternLidar(file.Key()); }, ThrowsFault(kNoSuchName, "s.pattern.csv"));
@@ -177,6 +193,29 @@ TEST(ScanPattern, ScansDoNotDependOnTheNumberOfThreads) {
   for (std::size_t i = 0; i < one.points.size(); ++i) {
     ASSERT_EQ(std::memcmp(&one.points[i], &four.points[i], offsetof(LidarPoint, label) + 1), 0);
   }
+}
+
+// A line in the horizontal plane at y = 20 deg cos(a): half of the pulses lie beyond 14.1 deg on
+// either side, none above or below.
+TEST(ScanPattern, ItsViewIsDensestWhereALineTurns) {
+  LidarModel model;
+  model.elevation_rad = {0};
+  model.pattern = Prisms(10, 10, 61, -61);
+  model.columns = 100;
+  const ViewField view = ViewOf(model, 10);
+  // Above and below the horizon, which borders two rows of cells.
+  const auto at = [&](double azimuth_deg, double elevation_deg) {
+    const double a = azimuth_deg * kDeg, e = elevation_deg * kDeg;
+    const Vec3 level(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), 0);
+    return view.per_steradian(level + std::sin(e) * Vec3::UnitZ()) +
+           view.per_steradian(level - std::sin(e) * Vec3::UnitZ());
+  };
+  // The share of the angle a in which the line crosses 2 deg of azimuth, at its turn and its
+  // middle.
+  const double turn = std::acos(18 / 20.0), middle = std::asin(2 / 20.0);
+  EXPECT_NEAR(at(19, 0.1) / at(1, 0.1), turn / middle, 0.03 * turn / middle);
+  EXPECT_NEAR(at(-19, 0.1), at(19, 0.1), 0.02 * at(19, 0.1));
+  EXPECT_EQ(at(0, 19) + at(21, 0.1), 0);
 }
 
 // All pulses of a scan, over the sphere in the cells in which the density is constant.

@@ -25,8 +25,8 @@ RecordField FieldOfDatatype(std::string_view name, std::uint8_t datatype, std::u
   return {std::string(name), kind.type, kind.bytes, offset};
 }
 
-constexpr std::string_view kLivoxTypes[] = {"livox_ros_driver/CustomMsg",
-                                            "livox_ros_driver2/CustomMsg"};
+constexpr std::string_view kLivoxTypes[] = {
+    "livox_ros_driver/CustomMsg", "livox_ros_driver2/CustomMsg", "livox_interfaces/CustomMsg"};
 
 bool IsLivox(std::string_view type) {
   return std::find(std::begin(kLivoxTypes), std::end(kLivoxTypes), type) != std::end(kLivoxTypes);

@@ -10,7 +10,7 @@ namespace tera {
 inline constexpr std::string_view kPointCloudType = "sensor_msgs/PointCloud2";
 
 /// Whether the messages of a type hold points: sensor_msgs/PointCloud2, and CustomMsg of
-/// livox_ros_driver and livox_ros_driver2.
+/// livox_ros_driver, livox_ros_driver2 and livox_interfaces.
 bool HoldsPoints(std::string_view type);
 
 /// The scan of one message that holds points. Its stamp is the header's, or `log_ns` with

@@ -1,5 +1,6 @@
 #include "diagnose/search/block/expected_instead.h"
 
+#include <deque>
 #include <iterator>
 #include <set>
 #include <string>
@@ -15,14 +16,17 @@ constexpr int kMostInstead = 3;  ///< mechanisms within tolerance that are added
 
 Misfit MisfitWith(const std::vector<Candidate>& expected, const StructureFitter& fitter,
                   FittedStructure best) {
+  std::deque<Candidate> held;  // terms refer to them
   for (int added = 0; added < kMostInstead; ++added) {
     const Structure beside = best.terms;
     const double likelihood = best.log_likelihood;
     double most = 0;
     for (const Candidate& one : expected) {
-      if (!MayJoin(beside, one)) continue;
+      if (ActsIn(beside, one)) continue;
+      held.push_back(HeldBeside(one, beside));
+      if (held.back().free.empty()) continue;
       Structure with = beside;
-      with.push_back({&one, one.starts.front()});
+      with.push_back({&held.back(), held.back().starts.front()});
       FittedStructure fitted = fitter.FitNear(with);
       const double gain = fitted.log_likelihood - likelihood - static_cast<double>(one.free.size());
       if (gain <= most) continue;

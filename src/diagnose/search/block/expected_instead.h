@@ -12,7 +12,7 @@ namespace tera {
 ///         stated tolerance. Parameters with a stated tolerance stay within it; the others keep
 ///         their defaults. The rest of the structure is refitted. A mechanism is added while the
 ///         log-likelihood rises by more than 1 per parameter.
-///         Delays of one target's commands share one tolerance (MayJoin).
+///         Delays of one target's commands share one tolerance (HeldBeside).
 /// Omits   that several other parameters at the ends of their tolerances are less likely together
 ///         than one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,

@@ -20,10 +20,16 @@ std::optional<FreeParameter> WithinExpected(FreeParameter free) {
   return free;
 }
 
-bool DelaysCommand(const Candidate& candidate) {
-  return std::any_of(candidate.free.begin(), candidate.free.end(), [](const FreeParameter& free) {
-    return free.expected && free.expected->delays_command;
-  });
+/// Share of the tolerance of its target's delays that a term within tolerance uses, 0 to 1.
+double UsedDelay(const Term& term) {
+  double used = 0;
+  for (const FreeParameter& free : term.candidate->free) {
+    if (!free.expected || !free.expected->delays_command || free.expected->half_width <= 0)
+      continue;
+    const double off = std::abs(term.values[free.index] - free.expected->value);
+    used = std::max(used, off / free.expected->half_width);
+  }
+  return used;
 }
 
 }  // namespace
@@ -64,21 +70,26 @@ bool ActsIn(const Structure& terms, const Candidate& candidate) {
   });
 }
 
-bool MayJoin(const Structure& terms, const Candidate& candidate) {
-  const bool delays = DelaysCommand(candidate);
-  return !ActsIn(terms, candidate) &&
-         std::none_of(terms.begin(), terms.end(), [&](const Term& one) {
-           return delays && one.candidate->target == candidate.target &&
-                  DelaysCommand(*one.candidate) && IsAsExpected(one);
-         });
+Candidate HeldBeside(Candidate candidate, const Structure& terms) {
+  double left = 1;
+  for (const Term& term : terms) {
+    const bool shares = term.candidate->target == candidate.target && IsAsExpected(term);
+    if (shares) left -= UsedDelay(term);
+  }
+  for (FreeParameter& free : candidate.free) {
+    if (free.expected && free.expected->delays_command) {
+      free.expected->half_width *= std::max(left, 0.0);
+    }
+  }
+  return HeldToExpected(std::move(candidate));
 }
 
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target) {
   std::vector<Candidate> expected;
   for (const Candidate& candidate : block.candidates) {
-    if (candidate.target != target || !MayJoin(terms, candidate)) continue;
-    Candidate held = HeldToExpected(candidate);
+    if (candidate.target != target || ActsIn(terms, candidate)) continue;
+    Candidate held = HeldBeside(candidate, terms);
     if (!held.free.empty()) expected.push_back(std::move(held));
   }
   return expected;

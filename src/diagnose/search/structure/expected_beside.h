@@ -19,13 +19,12 @@ Candidate HeldToExpected(Candidate candidate);
 /// True if a structure contains the candidate's mechanism on the candidate's target.
 bool ActsIn(const Structure& terms, const Candidate& candidate);
 
-/// True if a candidate within tolerance may join a structure. Its mechanism must not act there
-/// already. Delays of one target's commands share one tolerance, so at most one term within
-/// tolerance may delay them.
-bool MayJoin(const Structure& terms, const Candidate& candidate);
+/// HeldToExpected with what a structure leaves of the tolerance of delays, which all delays of one
+/// target's commands share. Terms within tolerance use it in proportion to their values.
+Candidate HeldBeside(Candidate candidate, const Structure& terms);
 
-/// Candidates of a target that have a stated tolerance and may join the structure, each restricted
-/// to its tolerances.
+/// Candidates of a target that have a stated tolerance and do not act in the structure, each as by
+/// HeldBeside.
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target);
 

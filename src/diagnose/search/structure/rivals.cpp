@@ -60,8 +60,11 @@ Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Struct
   if (best.terms.empty()) return {rival, 0, INFINITY};
   const Candidate& beside = *best.terms.back().candidate;
   std::vector<Structure> both = {best.terms};
-  if (!ActsIn(found, beside)) {
-    both.push_back(fitter_.FitNear(With(found, beside, best.terms.back().values)).terms);
+  Candidate with_found = beside;
+  with_found.starts = {best.terms.back().values};
+  with_found = HeldBeside(std::move(with_found), found);
+  if (!ActsIn(found, beside) && !with_found.free.empty()) {
+    both.push_back(fitter_.FitNear(With(found, with_found, with_found.starts.front())).terms);
   }
   const std::vector<Misfit> left = pruning_.Evaluate(both);
   Rival compared = CompareWith(best.terms, left.front(), left.size() > 1 ? left.back() : crossed);
