@@ -218,6 +218,7 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   EXPECT_TRUE(ReadLiveRun(folder / "whole") == replayed);
   for (const auto& [name, bytes] : replayed) {
     if (!name.ends_with(".csv") || name == "excavator1/commands.csv") continue;
+    if (name == kEventsFile) continue;  // a stopped run has not written it
     ASSERT_TRUE(recorded.contains(name + ".part")) << name;
     EXPECT_TRUE(recorded.at(name + ".part").starts_with(bytes)) << name;
   }
