@@ -56,19 +56,19 @@ void ContactEvents::Observe(const BodyContact& contact, const Instant& before,
                             const Instant& after) {
   const EventSubject subject = SubjectOf(contact);
   const double force_n = contact.force_W_n.norm();
-  const double impulse_n_s = force_n * ToSeconds(after.t_ns - before.t_ns);
   if (contact.b.kind != BodyContact::Kind::kWall) {
     touched_ns_[{contact.a.index, WholeOf(contact.b)}] = after.t_ns;
   }
-  const bool begins = contacts_.Hold(subject, after.t_ns, after.t_ns, force_n);
+  const bool begins = contacts_.Hold(subject, before.t_ns, after.t_ns, force_n);
+  if (begins && BearsShovel(scenario_.machines[contact.a.index].placement.model, contact.a.link) &&
+      ClosingSpeed_mps(contact, before) >= kStrikeSpeed_mps) {
+    strikes_[subject] = {before.t_ns,     before.t_ns,  EventKind::kStrike,
+                         subject.machine, subject.part, subject.other};
+  }
   if (const auto strike = strikes_.find(subject); strike != strikes_.end()) {
-    strike->second.end_ns = after.t_ns;
-    strike->second.value += impulse_n_s;
-  } else if (begins &&
-             BearsShovel(scenario_.machines[contact.a.index].placement.model, contact.a.link) &&
-             ClosingSpeed_mps(contact, before) >= kStrikeSpeed_mps) {
-    strikes_[subject] = {after.t_ns,   after.t_ns,    EventKind::kStrike, subject.machine,
-                         subject.part, subject.other, impulse_n_s};
+    RecordedEvent& event = strike->second;
+    event.end_ns = std::min(after.t_ns, event.begin_ns + kStrike_ns);
+    event.value += force_n * ToSeconds(event.end_ns - before.t_ns);
   }
 }
 

@@ -18,7 +18,8 @@ namespace tera {
 ///         ends after 0.2 s without force. Its value is the largest normal force, a mean over a
 ///         physics step: the force of an impact between rigid bodies depends on the step.
 ///         strike: a contact of a link with a shovel begins with a closing speed of at least 0.2
-///         m/s, taken before the step. Its value is the normal impulse over 20 ms, which does not
+///         m/s, taken before the step. Its value is the normal impulse over 20 ms from the start of
+///         that step. The last step counts by its share in the 20 ms, so that the impulse does not
 ///         depend on the step.
 /// Omits   running gear on obstacles that it climbs (the ground bears it there), contact within a
 ///         machine and among things, stones in the ground (soil has none).

@@ -1,6 +1,7 @@
 #include "sim/events/fall_events.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/units.h"
 
@@ -15,7 +16,7 @@ constexpr double kLeastDrop_m = 0.05;
 FallEvents::FallEvents(const Scenario& scenario)
     : scenario_(scenario),
       drops_({.kind = EventKind::kDrop, .least_value = kLeastDrop_m}),
-      top_m_(scenario.obstacles.size(), 0) {}
+      top_m_(scenario.obstacles.size(), -std::numeric_limits<double>::infinity()) {}
 
 void FallEvents::Observe(const Instant& before, const Instant& after) {
   drops_.Close(before.t_ns);

@@ -18,25 +18,34 @@ bool Turns(const Joint& joint) {
          (joint.type == JointType::kRevolute || joint.type == JointType::kContinuous);
 }
 
+double Length_m(const Vec3& offset_m, bool level) {
+  return level ? offset_m.head<2>().norm() : offset_m.norm();
+}
+
+/// Largest distance of a link's boxes from one of its points; without z with `level`.
+double ExtentOfBoxes_m(const Link& link, const Vec3& from_B_m, bool level) {
+  double extent_m = 0;
+  for (const CollisionBox& box : link.collision) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 sign(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
+      const Vec3 corner_B_m = box.X_BG * Vec3(sign.cwiseProduct(box.size_m));
+      extent_m = std::max(extent_m, Length_m(corner_B_m - from_B_m, level));
+    }
+  }
+  return extent_m;
+}
+
 /// Largest distance of a part of `link`, or of what it carries, from the link's origin. Offsets in
 /// the link itself count without their z with `level`.
 double Extent_m(const MachineModel& model, int link, bool level) {
-  const auto length_m = [&](const Vec3& offset_m) {
-    return level ? offset_m.head<2>().norm() : offset_m.norm();
-  };
-  double extent_m = 0;
-  for (const CollisionBox& box : model.links[static_cast<std::size_t>(link)].collision) {
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 sign(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
-      extent_m = std::max(extent_m, length_m(box.X_BG * Vec3(sign.cwiseProduct(box.size_m))));
-    }
-  }
+  double extent_m =
+      ExtentOfBoxes_m(model.links[static_cast<std::size_t>(link)], Vec3::Zero(), level);
   for (const Joint& joint : model.joints) {
     if (joint.parent != link) continue;
     const double slide_m = joint.type == JointType::kPrismatic
                                ? std::max(std::abs(joint.lower_rad), std::abs(joint.upper_rad))
                                : 0;
-    extent_m = std::max(extent_m, length_m(joint.X_PJ.translation()) + slide_m +
+    extent_m = std::max(extent_m, Length_m(joint.X_PJ.translation(), level) + slide_m +
                                       Extent_m(model, joint.child, false));
   }
   return extent_m;
@@ -59,12 +68,19 @@ std::optional<double> PersonDistance_m(const MachineModel& model, const MachineS
 }  // namespace
 
 SweptCircle CircleOf(const MachineModel& model) {
+  const Joint* slewing = nullptr;
+  double extent_m = 0;
   for (const Joint& joint : model.joints) {
     const Vec3 axis_P = joint.X_PJ.linear() * joint.axis_J;
     if (joint.parent != 0 || !Turns(joint) || std::abs(axis_P.z()) < kUpright) continue;
-    return {joint.X_PJ.translation(), Extent_m(model, joint.child, true)};
+    const double of_joint_m = Extent_m(model, joint.child, true);
+    if (slewing && of_joint_m <= extent_m) continue;
+    slewing = &joint;
+    extent_m = of_joint_m;
   }
-  return {Vec3::Zero(), Extent_m(model, 0, true)};
+  if (!slewing) return {Vec3::Zero(), Extent_m(model, 0, true)};
+  const Vec3 axis_B_m = slewing->X_PJ.translation();
+  return {axis_B_m, std::max(extent_m, ExtentOfBoxes_m(model.links[0], axis_B_m, true))};
 }
 
 PersonEvents::PersonEvents(const Scenario& scenario)

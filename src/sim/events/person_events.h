@@ -14,10 +14,11 @@ struct SweptCircle {
   double radius_m = 0;
 };
 
-/// Model   the axis is that of the first upright joint of the root link, or the root's z axis
-///         without one. The radius is that of an arm stretched out straight: the sum of the
+/// Model   the axis is that of the root link's upright joint that reaches farthest, or the root's z
+///         axis without one. The radius is that of an arm stretched out straight: the sum of the
 ///         distances from joint to joint and on to the farthest corner of a collision box. An arm
-///         whose joints do not stretch it reaches less far.
+///         whose joints do not stretch it reaches less far. The circle also holds the root's own
+///         boxes.
 SweptCircle CircleOf(const MachineModel& model);
 
 /// People within the reach of machines.

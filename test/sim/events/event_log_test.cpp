@@ -206,5 +206,30 @@ TEST(Events, TheSweptCircleHoldsEveryPoseOfTheArmAndLittleMore) {
   EXPECT_LT(circle.radius_m, 1.15 * farthest_m);
 }
 
+TEST(Events, TheSweptCircleIsThatOfTheFarthestUprightJointAndHoldsTheRoot) {
+  const auto box = [](const Vec3& centre_m, const Vec3& size_m) {
+    return std::vector{CollisionBox{.X_BG = MakePose(centre_m), .size_m = size_m}};
+  };
+  const auto upright = [](int child, const Vec3& p_m) {
+    Joint joint;
+    joint.type = JointType::kContinuous;
+    joint.parent = 0;
+    joint.child = child;
+    joint.X_PJ = MakePose(p_m);
+    return joint;
+  };
+  MachineModel model;
+  model.links.resize(3);
+  model.links[0].collision = box(Vec3::Zero(), Vec3(1, 1, 0.5));
+  model.links[1].collision = box(Vec3::Zero(), Vec3(0.2, 0.2, 0.2));  // a beacon
+  model.links[2].collision = box(Vec3(2, 0, 5), Vec3(4, 0.6, 1));
+  model.joints = {upright(1, Vec3(0.5, 0, 1)), upright(2, Vec3(-0.2, 0.1, 0.8))};
+  EXPECT_TRUE(CircleOf(model).axis_B_m.isApprox(Vec3(-0.2, 0.1, 0.8)));
+  EXPECT_NEAR(CircleOf(model).radius_m, std::hypot(4, 0.3), 1e-9);
+  model.links[0].collision = box(Vec3::Zero(), Vec3(12, 2, 0.5));
+  EXPECT_TRUE(CircleOf(model).axis_B_m.isApprox(Vec3(-0.2, 0.1, 0.8)));
+  EXPECT_NEAR(CircleOf(model).radius_m, std::hypot(6.2, 1.1), 1e-9);
+}
+
 }  // namespace
 }  // namespace tera

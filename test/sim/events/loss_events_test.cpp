@@ -4,10 +4,12 @@
 
 #include "core/units.h"
 #include "sim/drive_fixture.h"
+#include "sim/events/contact_events.h"
+#include "sim/events/fall_events.h"
 #include "sim/events/spill_events.h"
 #include "sim/events/tip_events.h"
 
-/// Tips and spills of states made by hand.
+/// Tips, spills, falls and strikes of states made by hand.
 
 namespace tera {
 namespace {
@@ -95,6 +97,76 @@ TEST(TipEvents, ATrackLiftsWhenTheGroundHasNotBorneItForATenthOfASecond) {
   EXPECT_EQ(tips.All()[0].end_ns, 700'000'000);
   EXPECT_EQ(tips.All()[0].part, Model().ground_tools.gears[1].name);
   EXPECT_NEAR(tips.All()[0].value, 0.1, 1e-9);
+}
+
+TEST(TipEvents, TwoLiftsOfOneStepEachAreNoTip) {
+  TipEvents tips(Parked());
+  for (TimeNs t_ms = 0; t_ms < 600; t_ms += 10) {
+    Instant now = At(t_ms * 1'000'000, MakePose(Vec3::Zero(), 0.1));
+    if (t_ms == 100 || t_ms == 250) now.machines[0].gear_sinkage_m[1] = 0;
+    tips.Observe(now);
+  }
+  EXPECT_TRUE(tips.All().empty());
+}
+
+TEST(FallEvents, HaveTheirHeightAlsoBelowZero) {
+  const Scenario scenario =
+      Drive::Read("tb235.yaml", "{xy_m: [0, 0]}", "cell_m: 0.1, soil: asphalt",
+                  "obstacles:\n  - {name: box, label: structure, mesh: tera:assets/rock.glb, xy_m: "
+                  "[4, 0], collision: [{xyz_m: [0, 0, 0.2], size_m: [0.4, 0.4, 0.4]}], dynamic: "
+                  "{mass_kg: 50}}\n");
+  constexpr double kGround_m = -5, kHeight_m = 1.5, kStep_s = 0.01;
+  const double fall_s = std::sqrt(2 * kHeight_m / kStandardGravity_mps2);
+  FallEvents falls(scenario);
+  Instant before;
+  for (int k = 0; k < 100; ++k) {
+    const double t_s = k * kStep_s;
+    Instant now;
+    now.t_ns = FromSeconds(t_s);
+    BodyState& box = now.obstacles.emplace_back();
+    const double fallen_m = 0.5 * kStandardGravity_mps2 * t_s * t_s;
+    const bool flies = t_s < fall_s;
+    box.X_WB = MakePose(Vec3(4, 0, kGround_m + (flies ? kHeight_m - fallen_m : 0)));
+    if (flies) box.v_WB_mps.z() = -kStandardGravity_mps2 * t_s;
+    if (k > 0) falls.Observe(before, now);
+    before = now;
+  }
+  ASSERT_EQ(falls.All().size(), 1u);
+  // The last step of the flight ends on the ground, at most a step of the fall away.
+  EXPECT_NEAR(falls.All()[0].value, kHeight_m, kStandardGravity_mps2 * fall_s * kStep_s);
+}
+
+/// Strike of a shovel that hits a wall with an impulse and then presses on it.
+RecordedEvent StrikeAt(double rate_hz, double impulse_n_s, double force_n) {
+  ContactEvents contacts(Parked());
+  const auto link = static_cast<std::size_t>(Model().ground_tools.shovels[0].link);
+  Instant before = At(0, MakePose(Vec3(1, 2, 3), 0.4));
+  for (int k = 1; k * 10 <= rate_hz; ++k) {
+    Instant now = At(FromSeconds(k / rate_hz), MakePose(Vec3(1, 2, 3), 0.4));
+    now.machines[0].links[link].v_WB_mps = Vec3(1, 0, 0);
+    if (k > 1) {
+      const double mean_n = force_n + (k == 2 ? impulse_n_s * rate_hz : 0);
+      now.contacts = {{.a = {.link = static_cast<int>(link)},
+                       .b = {.kind = BodyContact::Kind::kWall},
+                       .p_W_m = now.machines[0].links[link].X_WB.translation(),
+                       .force_W_n = Vec3(-mean_n, 0, 0)}};
+    }
+    contacts.Observe(before, now);
+    before = now;
+  }
+  std::vector<RecordedEvent> strikes = contacts.All();
+  std::erase_if(strikes, [](const auto& event) { return event.kind != EventKind::kStrike; });
+  EXPECT_EQ(strikes.size(), 1u);
+  return strikes.empty() ? RecordedEvent() : strikes[0];
+}
+
+TEST(ContactEvents, AStrikesImpulseDoesNotDependOnThePhysicsStep) {
+  for (const double rate_hz : {100.0, 300.0, 500.0, 1000.0}) {
+    const RecordedEvent strike = StrikeAt(rate_hz, 150, 4000);
+    EXPECT_NEAR(strike.value, 150 + 4000 * 0.02, 1e-3) << rate_hz;
+    EXPECT_EQ(strike.begin_ns, FromSeconds(1 / rate_hz)) << rate_hz;
+    EXPECT_EQ(strike.end_ns - strike.begin_ns, 20'000'000) << rate_hz;
+  }
 }
 
 /// A bucket's way: places along x with a load at each, 0.1 s apart.
