@@ -362,7 +362,13 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
     }
   };
   for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");
-  for (const ScenarioObstacle& o : scenario.obstacles) require(o.name, "obstacles");
+  for (const ScenarioObstacle& o : scenario.obstacles) {
+    require(o.name, "obstacles");
+    if (o.name == "site") {
+      config.Fault("obstacles",
+                   "name 'site' is reserved for the walls of a site's mesh; choose another");
+    }
+  }
   if (!scenario.site_mesh) return;
   for (const SiteMeshPart& part : scenario.site_mesh->parts) require(part.name, "environment");
 }

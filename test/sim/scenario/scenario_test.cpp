@@ -29,6 +29,15 @@ TEST(ReadScenario, RefusesTwoSensorsWithOneName) {
               HasFault(kRepeated, "machines[0].rig.sensors[1].name"));
 }
 
+TEST(ReadScenario, RefusesAnObstacleNamedAsTheWallsOfTheSite) {
+  const auto named = [](const std::string& name) {
+    return ScenarioFaults(std::string(kSite) + kExcavator + "obstacles: [{name: " + name +
+                          ", preset: tera:config/obstacles/cone.yaml, xy_m: [3, 3]}]\n");
+  };
+  EXPECT_TRUE(named("sites").empty());
+  EXPECT_THAT(named("site"), HasOnlyFault(kInconsistent, "obstacles"));
+}
+
 TEST(ReadScenario, RefusesASensorOnALinkThatIsNotThere) {
   EXPECT_THAT(ScenarioFaults(WithRig(
                   "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
