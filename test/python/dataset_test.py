@@ -66,6 +66,15 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "events.csv:1: found"):
             tera.Events(file)
 
+    def test_events_that_cannot_be_are_refused(self):
+        file = Path(_folder.name) / "events.csv"
+        rows = ("30,10,contact,m,blade,cone,812.5,N", "10,30,kiss,m,blade,cone,812.5,N", "10,30,contact,m,blade,cone,nan,N",
+                "10,30,contact,m,blade,cone,inf,N", "10,30,contact,m,blade,cone,-1,N", "10,30,contact,m,blade,cone,812.5,kg")
+        for row in rows:
+            file.write_text(f"t_ns,end_ns,kind,machine,part,other,value,unit\n5,5,drop,,,box,1.5,m\n{row}\n")
+            with self.subTest(row), self.assertRaisesRegex(ValueError, "events.csv:3: "):
+                tera.Events(file)
+
     def test_the_last_row_that_is_not_later_holds(self):
         levers = tera.Dataset(RUN)["excavator1/commands"]
         second = int(levers.t_ns[1])

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+
+
+_UNITS = {"contact": "N", "strike": "N s", "spill": "kg", "tip": "rad", "drop": "m", "person_near": "m"}
 
 
 class Event(NamedTuple):
@@ -35,7 +39,16 @@ class Events:
     def _event(self, line: int, fields: list[str]) -> Event:
         try:
             begin, end, kind, machine, part, other, value, unit = fields
-            return Event(int(begin), int(end), kind, machine, part, other, float(value), unit)
+            event = Event(int(begin), int(end), kind, machine, part, other, float(value), unit)
+            if event.end_ns < event.t_ns:
+                raise ValueError(f"ends at {end}, before it begins at {begin}; need a later end")
+            if kind not in _UNITS:
+                raise ValueError(f"unknown kind {kind!r}; need one of {', '.join(_UNITS)}")
+            if not (math.isfinite(event.value) and event.value >= 0):
+                raise ValueError(f"value {value}; need a number from 0")
+            if unit != _UNITS[kind]:
+                raise ValueError(f"unit {unit!r}; need {_UNITS[kind]!r} for {kind}")
+            return event
         except ValueError as error:
             raise ValueError(f"{self.file}:{line}: {error}") from None
 
