@@ -33,12 +33,17 @@ PulseGrid::PulseGrid(const LidarScan& scan, const LidarPattern& pattern, const R
   const double most_m = ranges.step_m * ranges.most;
   for (std::size_t k = 0; k < scan.points.size(); ++k) {
     const LidarPoint& point = scan.points[k];
+    const Vec3 p_m(point.x_m, point.y_m, point.z_m);
+    if (!p_m.allFinite() || !std::isfinite(point.intensity)) {
+      fail(k, fmt::format("has x, y, z and intensity {}, {}, {}, {}; need finite numbers: omit "
+                          "points without a return",
+                          point.x_m, point.y_m, point.z_m, point.intensity));
+    }
     if (point.ring >= rings_) {
       fail(k, fmt::format("is of ring {}, need less than {}", point.ring, rings_));
     }
     const double since_us = 1e-3 * point.time_offset_ns - pattern.firing_us[point.ring];
     const auto column = static_cast<int>(std::lround(since_us / pattern.column_us()));
-    const Vec3 p_m(point.x_m, point.y_m, point.z_m);
     const double range_m = p_m.norm();
     if (column < 0 || column >= pattern.columns ||
         (p_m - range_m * pattern.Direction(column, point.ring)).norm() > kMostOff_rad * range_m) {

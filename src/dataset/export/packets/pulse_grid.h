@@ -27,8 +27,8 @@ struct RangeSteps {
 /// The returns of one scan, by column and ring.
 class PulseGrid {
  public:
-  /// Throws InputError at `place` for a point that is not on a pulse of the pattern, for more
-  /// returns than the pattern has, and for a range that the format cannot hold.
+  /// Throws InputError at `place` for a point that is not finite or not on a pulse of the
+  /// pattern, for more returns than the pattern has, and for a range that the format cannot hold.
   PulseGrid(const LidarScan& scan, const LidarPattern& pattern, const RangeSteps& ranges,
             const std::string& place);
 

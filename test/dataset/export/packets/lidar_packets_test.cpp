@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -436,6 +437,20 @@ TEST_F(LidarPacketsTest, PointsThatAreNotOnPulsesAreRefused) {
   seventeenth.ring = 16;
   Record(SheetOf("vlp16"), {{0, 0, {seventeenth}}});
   ExpectFault(kInconsistent, "scans/0.pcd: point 1");
+}
+
+TEST_F(LidarPacketsTest, PointsThatAreNotFiniteAreRefused) {
+  const LidarPoint point = PointOf(kVlp16Low, 0, kVelodyneColumns, 10, 0.2F);
+  for (float LidarPoint::*const member :
+       {&LidarPoint::x_m, &LidarPoint::y_m, &LidarPoint::z_m, &LidarPoint::intensity}) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+      LidarPoint second = PointOf(kVlp16Low, 1, kVelodyneColumns, 10, 0.2F);
+      second.*member = bad;
+      Record(SheetOf("vlp16"), {{0, 0, {point, second}}});
+      ExpectFault(kInconsistent, "scans/0.pcd: point 2");
+    }
+  }
 }
 
 TEST_F(LidarPacketsTest, ScansThatOverlapAreRefused) {
