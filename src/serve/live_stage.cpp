@@ -152,6 +152,7 @@ class Environment {
     steps_ = 0;
     driven_.clear();
     work_j_.assign(run_->scenario().machines.size(), 0);
+    touched_.assign(run_->scenario().machines.size(), {});
     v1::Observation observation = Observe(plan.observation);
     observation.set_described_anew(DescribeAnew());
     PrepareNext(request);
@@ -233,6 +234,7 @@ class Environment {
       if (k % repeat == 0) Command(commands);
       run_->Step();
       CountWork();
+      CollectTouched();
       ++steps_;
     }
     return true;
@@ -256,6 +258,12 @@ class Environment {
     }
   }
 
+  void CollectTouched() {
+    for (std::size_t m = 0; m < touched_.size(); ++m) {
+      for (std::string& name : run_->events().Touched(m)) touched_[m].insert(std::move(name));
+    }
+  }
+
   /// Returns true if the description of the episode differs from the previous one.
   bool DescribeAnew() {
     v1::Description description = Describe(run_->scenario());
@@ -269,10 +277,11 @@ class Environment {
     v1::Observation observation;
     const Simulation& simulation = run_->simulation();
     PutState(simulation.state(), run_->scenario(), plan.patches, &observation);
+    CollectTouched();
     for (std::size_t m = 0; m < work_j_.size(); ++m) {
       v1::MachineState& machine = *observation.mutable_machines(static_cast<int>(m));
       machine.set_work_j(work_j_[m]);
-      for (const std::string& name : run_->events().Touched(m)) machine.add_touches(name);
+      for (const std::string& name : std::exchange(touched_[m], {})) machine.add_touches(name);
     }
     keeper_->Take(&observation);
     return observation;
@@ -290,6 +299,8 @@ class Environment {
   std::int64_t steps_ = 0;        ///< physics steps since the start of the episode
   std::set<std::size_t> driven_;  ///< machines that a step has commanded
   std::vector<double> work_j_;    ///< driving work per machine
+  /// Bodies that each machine has touched since the last observation.
+  std::vector<std::set<std::string>> touched_;
   std::optional<Prepared> prepared_;
 };
 

@@ -199,5 +199,25 @@ obstacles:
   EXPECT_EQ(end.machines(0).touches_size(), 0);
 }
 
+TEST(Environments, ATouchInTheMiddleOfALongStepIsObserved) {
+  // A cart drives against the standing rover at 0.6 s and is back at 1.2 s.
+  const std::string text = std::string(kStageScenario) + R"(
+obstacles:
+  - {name: cart, label: structure, mesh: tera:assets/rock.glb, xy_m: [-5, 8],
+     path: [{t_s: 0, xy_m: [-5, 8]}, {t_s: 0.6, xy_m: [-5, 4.6]}, {t_s: 1.2, xy_m: [-5, 8]}],
+     collision: [{xyz_m: [0, 0, 0.5], size_m: [0.6, 0.6, 1]}]}
+)";
+  const ScenarioSource source = SourceOfText(text, "cart.yaml");
+  const std::unique_ptr<Stage> stage = LiveStages(*source(std::nullopt).scenario, source, {},
+                                                  [](const std::string&) {})([] { return false; });
+  EXPECT_EQ(stage->Reset(v1::Reset()).value().machines(1).touches_size(), 0);
+  v1::Step step;
+  step.set_duration_s(1.8);
+  const v1::Observation after = stage->Step(step).value();
+  ASSERT_EQ(after.machines(1).touches_size(), 1);
+  EXPECT_EQ(after.machines(1).touches(0), "cart");
+  EXPECT_EQ(stage->Step(StepOf(1)).value().machines(1).touches_size(), 0);
+}
+
 }  // namespace
 }  // namespace tera
