@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/check.h"
 #include "physics/dynamics/bullet_types.h"
 
 namespace tera {
@@ -35,6 +36,7 @@ double BoxDistance_m(const CollisionBox& a, const Pose& X_WA, const CollisionBox
   input.m_transformB = ToBullet(Pose(X_WB * b.X_BG));
   btPointCollector closest;
   detector.getClosestPoints(input, closest, nullptr);
+  TERA_CHECK(closest.m_hasResult, a.size_m.norm(), b.size_m.norm());
   return std::max(0.0, static_cast<double>(closest.m_distance));
 }
 
