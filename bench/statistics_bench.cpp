@@ -8,7 +8,7 @@
 #include "diagnose/statistics/regime/partialling.h"
 #include "diagnose/statistics/series/simulated.h"
 #include "diagnose/statistics/series/whitening.h"
-#include "diagnose/statistics/tests/change_points.h"
+#include "diagnose/statistics/hypothesis_tests/change_points.h"
 
 // One channel of a recording of ten minutes at 100 Hz against twenty variables.
 
