@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/statistics/hypothesis_tests/change_points.h"
 #include "diagnose/statistics/regime/curve_shape.h"
 #include "diagnose/statistics/regime/partialling.h"
 #include "diagnose/statistics/series/simulated.h"
 #include "diagnose/statistics/series/whitening.h"
-#include "diagnose/statistics/hypothesis_tests/change_points.h"
 
 // One channel of a recording of ten minutes at 100 Hz against twenty variables.
 

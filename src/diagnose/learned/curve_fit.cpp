@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "diagnose/search/fit/steady_gain.h"
-#include "diagnose/statistics/series/robust.h"
 #include "diagnose/statistics/hypothesis_tests/block_bootstrap.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {

@@ -298,13 +298,13 @@ TEST_F(SearchOfACycle, LimitsThatNoLayoutCanKeepAreRefused) {
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {power_w: 8}"),
                 {"limits", "power_w 8", "need 8.5"});
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {sensors: 1}"),
-                {"limits", "sensors 1", "takes 2"});
+                {"limits", "sensors 1", "need 2"});
 }
 
 TEST_F(SearchOfACycle, LimitsThatOnlyALayoutWithoutEyesKeepsAreRefused) {
   // Both lidars are optional: without them nothing sees, and the cheapest costs 100.
   const std::string text = Replaced(TwoLidars(), "optional: false", "optional: true");
-  ExpectRefused(Replaced(text, "cost: 420", "cost: 109"), {"limits", "cost 109", "takes 110"});
+  ExpectRefused(Replaced(text, "cost: 420", "cost: 109"), {"limits", "cost 109", "need 110"});
 }
 
 TEST_F(SearchOfACycle, MomentsThatDoNotFitIntoMemoryAreRefused) {

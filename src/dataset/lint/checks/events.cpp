@@ -18,15 +18,16 @@ void CheckEvent(LintJob* job, const std::string& channel, int line, const Record
     job->Find("events.rows", channel, {channel, line, what});
   };
   if (event.begin_ns < 0) {
-    find(fmt::format("begins at {} s; need 0 or later: count time from the start of the recording",
-                     ToSeconds(event.begin_ns)));
+    find(fmt::format(
+        "begins at {:.12g} s; need 0 or later: count time from the start of the recording",
+        ToSeconds(event.begin_ns)));
   }
   const double duration_s = job->recording().info().duration_s;
   if (event.end_ns > FromSeconds(duration_s) + kLongestStep_ns) {
-    find(
-        fmt::format("ends at {} s, after the recording; need at most {} s: end the event there, "
-                    "or correct duration_s of dataset.yaml",
-                    ToSeconds(event.end_ns), duration_s));
+    find(fmt::format(
+        "ends at {:.12g} s, after the recording; need at most {} s: end the event there, "
+        "or correct duration_s of dataset.yaml",
+        ToSeconds(event.end_ns), duration_s));
   }
   const std::vector<std::string> machines = job->recording().Machines();
   if (!event.machine.empty() && std::ranges::count(machines, event.machine) == 0) {
