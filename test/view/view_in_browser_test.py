@@ -223,9 +223,10 @@ class ViewInBrowser(unittest.TestCase):
         bar = self.browser.run("(({from, to, x, width}) => ({from, to, x, width}))(tera.timeline.bars[0])")
         self.assertEqual((bar["from"], bar["to"]), (FROM_S, TO_S))
         width = self.browser.run("tera.timeline.canvas.clientWidth")
-        edge, span = 10, self.browser.run("tera.state.to_s - tera.state.from_s")
-        self.assertAlmostEqual(bar["x"], edge + FROM_S / span * (width - 2 * edge), delta=0.5)
-        self.assertAlmostEqual(bar["width"], (TO_S - FROM_S) / span * (width - 2 * edge), delta=0.5)
+        left, edge = self.browser.run("tera.timeline.left"), 10
+        per_s = (width - left - edge) / self.browser.run("tera.state.to_s - tera.state.from_s")
+        self.assertAlmostEqual(bar["x"], left + FROM_S * per_s, delta=0.5)
+        self.assertAlmostEqual(bar["width"], (TO_S - FROM_S) * per_s, delta=0.5)
         pixel = "(x) => [...tera.timeline.canvas.getContext('2d').getImageData(x, 4, 1, 1).data].slice(0, 3).join()"
         inside = self.browser.run(f"({pixel})({bar['x'] + bar['width'] / 2})")
         outside = self.browser.run(f"({pixel})({bar['x'] + bar['width'] + 9})")
