@@ -227,7 +227,8 @@ class ViewInBrowser(unittest.TestCase):
         per_s = (width - left - edge) / self.browser.run("tera.state.to_s - tera.state.from_s")
         self.assertAlmostEqual(bar["x"], left + FROM_S * per_s, delta=0.5)
         self.assertAlmostEqual(bar["width"], (TO_S - FROM_S) * per_s, delta=0.5)
-        pixel = "(x) => [...tera.timeline.canvas.getContext('2d').getImageData(x, 4, 1, 1).data].slice(0, 3).join()"
+        pixel = ("(x) => [...tera.timeline.canvas.getContext('2d').getImageData(x, 11 * tera.timeline.event_rows.length + 4, 1, 1).data]"
+                 ".slice(0, 3).join()")
         inside = self.browser.run(f"({pixel})({bar['x'] + bar['width'] / 2})")
         outside = self.browser.run(f"({pixel})({bar['x'] + bar['width'] + 9})")
         self.assertNotEqual(inside, outside)
