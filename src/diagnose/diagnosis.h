@@ -83,7 +83,7 @@ std::vector<UnexplainedInBlock> RankedUnexplained(const Diagnosis& diagnosis);
 /// True if a channel of a block has an unexplained residual.
 bool IsLeft(const DiagnosedBlock& diagnosed, std::size_t channel);
 
-/// What was learned of a channel of a block, or nullptr.
+/// The learned table of a channel of a block, or nullptr.
 const Learned* LearnedOf(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 /// A finding with its origin: one of `block`, `sensor` and `seen_by` is set.

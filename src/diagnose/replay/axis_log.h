@@ -68,7 +68,7 @@ struct AxisSamples {
 };
 
 AxisSamples SamplesOf(const EncoderRecording& recording, std::size_t axis);
-/// Those of the first encoder that measured the joint or gear of that name; none without samples.
+/// Samples of the first encoder that measured the joint or gear of that name; may be empty.
 std::optional<AxisSamples> SamplesOf(const std::string& axis,
                                      const std::vector<NamedEncoders>& encoders);
 

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// What a figure, map or curve measures.
+/// The quantity of a figure, map or curve.
 enum class Measure {
   kSeenBy1,
   kSeenBy2,

@@ -27,7 +27,7 @@ std::vector<Vec3> Directions() {
   return directions;
 }
 
-/// What the rays from a mount show about one part.
+/// Visibility of one part by the rays from a mount.
 struct Evidence {
   int inside = 0;  ///< number of rays whose exits and entries differ
   double nearest_m = kFarthestPart_m;

@@ -17,7 +17,8 @@ inline constexpr double kLeafNearInfrared = 0.45;
 ///
 /// Model   the soil line, near infrared = 1.2 red + 0.04, at most 1. Water moves a soil along it.
 /// Source  Baret and Guyot 1991, "Potentials and limits of vegetation indices for LAI and APAR
-///         assessment"; asphalt and gravel follow it within the spread of measured soils.
+///         assessment".
+/// Omits   the spread between soils; asphalt and gravel are taken as soils.
 double SoilNearInfrared(const Vec3& albedo);
 
 /// Diffuse reflectance of a dry surface at 905 nm: as its material states, else that of leaves for

@@ -24,7 +24,7 @@ void Serialize(ModelArchive* archive, RisleyPrisms* prisms);
 /// Model   pulse i leaves at i / pulses_per_s. Prisms: the beam leans from x by the vector
 ///         sum_k d_k (cos a_k, sin a_k) in y and z, with the deflections d_k and the angles
 ///         a_k = 2 pi speed_k t. A file: one pulse a row, from the first row again after the last.
-/// Omits   thick prisms, whose field differs by some per cent at 20 deg; the file's column of time.
+/// Omits   refraction of thick prisms beyond the first order; the file's column of time.
 /// Source  Brazeal, Wilkinson, Hochmair 2021, "A rigorous observation model for the Risley
 ///         prism-based Livox Mid-40 lidar sensor", to first order.
 struct ScanPattern {

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// What happens in a run, found by physics step by step; docs/reference/dataset.md has the table.
+/// Events of a run, detected in each physics step; docs/reference/dataset.md has the table.
 class EventLog {
  public:
   /// Keeps a reference to the scenario; `start` is the state at the start.

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// What an event is of; see RecordedEvent.
+/// The machine, its part and the other body of an event, as in RecordedEvent.
 struct EventSubject {
   std::string machine, part, other;
 

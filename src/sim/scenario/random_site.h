@@ -12,7 +12,7 @@ namespace tera {
 /// Inputs for drawing a random site.
 struct SiteDraw {
   std::uint64_t seed = 0, episode = 0;
-  /// What already stands on the site: the scenario as written, and values drawn by other entries.
+  /// Objects already on the site: those of the scenario, and those that other entries drew.
   const ConfigMap* scenario = nullptr;
   const std::vector<Config::GivenValue>* drawn = nullptr;
 };

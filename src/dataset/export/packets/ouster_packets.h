@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What keeps a pattern from being an Ouster's; empty for an Ouster's.
+/// The first difference between a pattern and an Ouster's; empty for an Ouster's.
 std::string WhyNotOuster(const LidarPattern& pattern);
 
 /// Writer of `file`.pcap with packets, and of `file`.json with the unit's metadata.
